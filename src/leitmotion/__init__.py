@@ -1,0 +1,1 @@
+"""Leitmotion finds what recurs in human motion."""

@@ -1,0 +1,96 @@
+"""One kind of body for every recording: points that have a role, which way they face, how large they are."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from leitmotion.body.roles import mirror_role
+from leitmotion.motion.errors import ParameterError
+from leitmotion.motion.noun import check_rate, noun, set_array, set_names
+
+
+@noun
+class BodyMap:
+    """Which joints or markers of a recording stand for which role.
+
+    Parameters
+    ----------
+    roles : tuple of str, R
+        The roles that were found.
+    members : tuple of tuple of str, R
+        For each role the joints or markers whose mean it is (one joint; four head markers).
+    confidence : (R,) float
+        How sure each is, 0 to 1.
+
+    Raises
+    ------
+    ParameterError
+        When lengths disagree.
+    """
+
+    roles: tuple[str, ...]
+    members: tuple[tuple[str, ...], ...]
+    confidence: np.ndarray
+
+    def __post_init__(self) -> None:
+        roles = set_names(self, "roles")
+        object.__setattr__(self, "members", tuple(tuple(m) for m in self.members))
+        set_array(self, "confidence", dtype=np.float64, shape=(len(roles),))
+        if len(self.members) != len(roles):
+            raise ParameterError(f"BodyMap.members must be {len(roles)}, one a role, got {len(self.members)}.")
+
+    def mirror(self, role: str) -> str | None:
+        """Name the mirror partner of a role, None where the recording lacks it."""
+        partner = mirror_role(role)
+        return partner if partner in self.roles else None
+
+
+@noun
+class Body:
+    """A person in motion as points with roles.
+
+    Parameters
+    ----------
+    roles : tuple of str, R
+        What each point is: a role of :data:`leitmotion.body.ROLES`; the recording's own point names where no
+        role could be told.
+    positions : (T, R, 3) float
+        Where each is in the world, metres (or the recording's own unit), NaN where unseen. Y up.
+    facing : (T,) float
+        Yaw of the body's front about the vertical, radians; 0 faces +Z, pi/2 faces +X. Unwrapped along time.
+        All zero where it cannot be told.
+    rate : float
+        Frames per second.
+    size : float
+        Body size: median length of the chain ankle-knee-hip plus pelvis-neck-head, in the unit of `positions`.
+    unit : {"m", "px", "relative"}
+        What a number of `positions` means.
+    name : str
+        What the recording is called.
+
+    Raises
+    ------
+    ParameterError
+        When shapes disagree.
+    """
+
+    roles: tuple[str, ...]
+    positions: np.ndarray
+    facing: np.ndarray
+    rate: float
+    size: float
+    unit: str = "m"
+    name: str = ""
+
+    def __post_init__(self) -> None:
+        roles = set_names(self, "roles")
+        frames = set_array(
+            self, "positions", dtype=np.float64, shape=(None, len(roles), None), finite=False
+        ).shape[0]
+        set_array(self, "facing", dtype=np.float64, shape=(frames,))
+        check_rate(self)
+        if not np.isfinite(self.size) or self.size <= 0:
+            raise ParameterError(f"Body.size must be a positive length, got {self.size}.")
+
+    def __len__(self) -> int:
+        return self.positions.shape[0]

@@ -1,0 +1,5 @@
+"""What numbers describe a frame, and what are they invariant to."""
+
+from leitmotion.features.sequence import FeatureSequence
+
+__all__ = ["FeatureSequence"]

@@ -1,0 +1,167 @@
+"""What makes a noun: a frozen value, checked once when made, its arrays read-only.
+
+Conventions
+-----------
+A noun is a dataclass decorated with :func:`noun`. Its ``__post_init__`` calls :func:`set_array` for each array
+field, which coerces, checks the shape and forbids writing. Two nouns are equal when their fields are, ``NaN``
+being equal to ``NaN``. A noun has no hash: it holds arrays.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Sequence
+from typing import Any, TypeVar, dataclass_transform
+
+import numpy as np
+
+from leitmotion.motion.errors import ParameterError
+
+T = TypeVar("T")
+
+
+@dataclass_transform(eq_default=True, frozen_default=True)
+def noun(cls: type[T]) -> type[T]:
+    """Make a class a noun of the house: a frozen dataclass with value equality.
+
+    Parameters
+    ----------
+    cls : type
+        A class with annotated fields.
+
+    Returns
+    -------
+    type
+        The same class as a frozen dataclass.
+    """
+    made: Any = dataclasses.dataclass(frozen=True, eq=False)(cls)
+    made.__eq__ = _equal
+    made.__hash__ = None
+    made.replace = _replace
+    return made
+
+
+def set_array(
+    owner: Any, field: str, *, dtype: type, shape: Sequence[int | None], finite: bool = True
+) -> np.ndarray:
+    """Coerce, check and freeze an array field of a noun under construction.
+
+    Parameters
+    ----------
+    owner : noun
+        The value being made.
+    field : str
+        Name of the field.
+    dtype : type
+        What its elements become.
+    shape : sequence of int or None
+        The length of each axis, None for any.
+    finite : bool
+        Whether NaN and infinity are refused.
+
+    Returns
+    -------
+    ndarray
+        The frozen array that the field now holds.
+
+    Raises
+    ------
+    ParameterError
+        When the shape differs or a number is not finite.
+    """
+    given = getattr(owner, field)
+    array = np.asarray(given, dtype=dtype)
+    kind = type(owner).__name__
+    wanted = "(" + ", ".join("any" if n is None else str(n) for n in shape) + ")"
+    if array.ndim != len(shape) or any(n is not None and n != m for n, m in zip(shape, array.shape, strict=False)):
+        raise ParameterError(f"{kind}.{field} must have shape {wanted}, got {array.shape}.")
+    if finite and array.dtype.kind == "f" and not np.isfinite(array).all():
+        where = tuple(int(i) for i in np.argwhere(~np.isfinite(array))[0])
+        raise ParameterError(
+            f"{kind}.{field} must be finite, got {array[where]} at {where}.",
+            remedy="Missing values belong in Trajectories." if kind == "Motion" else "",
+        )
+    if array.flags.writeable:
+        array = array.copy() if array is given or array.base is not None else array
+        array.flags.writeable = False
+    object.__setattr__(owner, field, array)
+    return array
+
+
+def set_names(owner: Any, field: str, *, unique: bool = True) -> tuple[str, ...]:
+    """Coerce a field to a tuple of strings and check that none is empty or doubled.
+
+    Parameters
+    ----------
+    owner : noun
+        The value being made.
+    field : str
+        Name of the field.
+    unique : bool
+        Whether a name may stand only once.
+
+    Returns
+    -------
+    tuple of str
+        The names.
+
+    Raises
+    ------
+    ParameterError
+        When a name is doubled.
+    """
+    names = tuple(str(name) for name in getattr(owner, field))
+    if unique and len(set(names)) != len(names):
+        doubled = sorted({name for name in names if names.count(name) > 1})
+        raise ParameterError(f"{type(owner).__name__}.{field} must differ from one another, got {doubled} twice.")
+    object.__setattr__(owner, field, names)
+    return names
+
+
+def check_rate(owner: Any) -> float:
+    """Check that the field `rate` is a positive, finite number of hertz.
+
+    Parameters
+    ----------
+    owner : noun
+        The value being made.
+
+    Returns
+    -------
+    float
+        The rate.
+
+    Raises
+    ------
+    ParameterError
+        When it is not.
+    """
+    rate = float(owner.rate)
+    if not np.isfinite(rate) or rate <= 0:
+        raise ParameterError(f"{type(owner).__name__}.rate must be a positive number of hertz, got {owner.rate}.")
+    object.__setattr__(owner, "rate", rate)
+    return rate
+
+
+def _replace(self: Any, **changes: Any) -> Any:
+    """Return a copy with some fields changed, checked anew."""
+    return dataclasses.replace(self, **changes)
+
+
+def _equal(self: Any, other: object) -> bool:
+    if type(self) is not type(other):
+        return NotImplemented
+    return all(
+        _same(getattr(self, field.name), getattr(other, field.name)) for field in dataclasses.fields(self)
+    )
+
+
+def _same(a: Any, b: Any) -> bool:
+    if isinstance(a, np.ndarray) or isinstance(b, np.ndarray):
+        a, b = np.asarray(a), np.asarray(b)
+        return a.shape == b.shape and bool(np.array_equal(a, b, equal_nan=a.dtype.kind in "fc"))
+    if isinstance(a, float) and isinstance(b, float):
+        return a == b or (a != a and b != b)
+    if isinstance(a, tuple) and isinstance(b, tuple):
+        return len(a) == len(b) and all(_same(x, y) for x, y in zip(a, b, strict=True))
+    return bool(a == b)

@@ -1,0 +1,6 @@
+"""How alike are two moments or two stretches."""
+
+from leitmotion.similarity.alignment import Alignment
+from leitmotion.similarity.matrix import SimilarityMatrix
+
+__all__ = ["Alignment", "SimilarityMatrix"]
