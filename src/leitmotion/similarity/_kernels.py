@@ -1,0 +1,155 @@
+# mypy: allow-untyped-defs
+"""Loops of this room: tiles of distances between frames.
+
+Frames lie along the last axis, ``a (D, N)`` and ``b (D, M)``, so that the innermost loop runs over
+neighbouring columns and vectorises. One tile of the result stays in cache while it is summed and while it is
+mirrored. No sum crosses a tile and the compiler may not reorder any, so a distance depends on its two frames
+alone, to the bit.
+"""
+
+import math
+
+import numpy as np
+from numba import njit
+
+TILE = 256  # frames: a tile is 256 KB and stays in the second-level cache
+POINTS, GROUPS, ANGLES = 0, 1, 2
+
+_ZERO, _ONE, _TWO, _FOUR = np.float32(0), np.float32(1), np.float32(2), np.float32(4)
+_C3, _C5, _C7, _C9, _C11 = (np.float32(c) for c in (1 / 6, 3 / 40, 15 / 336, 105 / 3456, 945 / 42240))
+
+
+@njit(cache=True)
+def self_distance(a, width, kind, C):
+    """Fill the symmetric C (N, N): upper tiles computed, lower ones their mirror image."""
+    n = a.shape[1]
+    tile = np.empty((TILE, TILE), np.float32)
+    for i0 in range(0, n, TILE):
+        i1 = min(i0 + TILE, n)
+        rows = a[:, i0:i1].copy()  # packed, so that the compiler knows neighbours to be neighbours
+        for j0 in range(i0, n, TILE):
+            j1 = min(j0 + TILE, n)
+            _fill(rows, a[:, j0:j1].copy(), width, kind, tile)
+            for i in range(i1 - i0):
+                for j in range(j1 - j0):
+                    C[i0 + i, j0 + j] = tile[i, j]
+            if j0 > i0:
+                for j in range(j1 - j0):
+                    for i in range(i1 - i0):
+                        C[j0 + j, i0 + i] = tile[i, j]
+
+
+@njit(cache=True)
+def cross_distance(a, b, width, kind, C):
+    """Fill C (N, M)."""
+    n, m = a.shape[1], b.shape[1]
+    tile = np.empty((TILE, TILE), np.float32)
+    for i0 in range(0, n, TILE):
+        i1 = min(i0 + TILE, n)
+        rows = a[:, i0:i1].copy()  # packed, so that the compiler knows neighbours to be neighbours
+        for j0 in range(0, m, TILE):
+            j1 = min(j0 + TILE, m)
+            _fill(rows, b[:, j0:j1].copy(), width, kind, tile)
+            for i in range(i1 - i0):
+                for j in range(j1 - j0):
+                    C[i0 + i, j0 + j] = tile[i, j]
+
+
+@njit(cache=True)
+def _fill(a, b, width, kind, tile):
+    if kind == POINTS:
+        _points(a, b, tile)
+    elif kind == GROUPS:
+        _groups(a, b, width, tile)
+    else:
+        _angles(a, b, tile)
+
+
+@njit(cache=True)
+def _points(a, b, tile):
+    """Paper P, eq. 2, every point seen: the mean over m of |p_i,m - p_j,m|."""
+    M = a.shape[0] // 3
+    columns = b.shape[1]
+    for i in range(a.shape[1]):
+        C = tile[i]
+        for j in range(columns):
+            C[j] = _ZERO
+        for m in range(M):
+            x, y, z = a[3 * m, i], a[3 * m + 1, i], a[3 * m + 2, i]
+            xs, ys, zs = b[3 * m], b[3 * m + 1], b[3 * m + 2]
+            for j in range(columns):
+                dx, dy, dz = xs[j] - x, ys[j] - y, zs[j] - z
+                C[j] += math.sqrt(dx * dx + dy * dy + dz * dz)
+        for j in range(columns):
+            C[j] /= np.float32(M)
+
+
+@njit(cache=True)
+def _groups(a, b, width, tile):
+    """Do the same for groups of any width; NaN is unseen, the mean is over what both frames show."""
+    M = a.shape[0] // width
+    columns = b.shape[1]
+    square = np.empty(columns, np.float32)
+    seen = np.empty(columns, np.float32)
+    for i in range(a.shape[1]):
+        C = tile[i]
+        for j in range(columns):
+            C[j] = _ZERO
+            seen[j] = _ZERO
+        for m in range(M):
+            for j in range(columns):
+                square[j] = _ZERO
+            for k in range(m * width, (m + 1) * width):
+                x, xs = a[k, i], b[k]
+                for j in range(columns):
+                    dx = xs[j] - x
+                    square[j] += dx * dx
+            for j in range(columns):
+                both = square[j] == square[j]
+                C[j] += math.sqrt(square[j]) if both else _ZERO
+                seen[j] += _ONE if both else _ZERO
+        for j in range(columns):
+            C[j] = C[j] / seen[j] if seen[j] > _ZERO else np.float32(np.nan)
+
+
+@njit(cache=True)
+def _angles(a, b, tile):
+    """Mean angle between rotations q and r: 4 asin(|q - r| / 2) of the nearer of r and -r.
+
+    Unlike 2 acos |q · r| it keeps its digits at small angles.
+    """
+    M = a.shape[0] // 4
+    columns = b.shape[1]
+    seen = np.empty(columns, np.float32)
+    for i in range(a.shape[1]):
+        C = tile[i]
+        for j in range(columns):
+            C[j] = _ZERO
+            seen[j] = _ZERO
+        for m in range(M):
+            w, x, y, z = a[4 * m, i], a[4 * m + 1, i], a[4 * m + 2, i], a[4 * m + 3, i]
+            ws, xs, ys, zs = b[4 * m], b[4 * m + 1], b[4 * m + 2], b[4 * m + 3]
+            for j in range(columns):
+                dw, dx, dy, dz = ws[j] - w, xs[j] - x, ys[j] - y, zs[j] - z
+                sw, sx, sy, sz = ws[j] + w, xs[j] + x, ys[j] + y, zs[j] + z
+                apart = dw * dw + dx * dx + dy * dy + dz * dz
+                across = sw * sw + sx * sx + sy * sy + sz * sz
+                both = apart == apart
+                near = apart if apart < across else across
+                angle = _FOUR * _asin(near / _FOUR)
+                C[j] += angle if both else _ZERO
+                seen[j] += _ONE if both else _ZERO
+        for j in range(columns):
+            C[j] = C[j] / seen[j] if seen[j] > _ZERO else np.float32(np.nan)
+
+
+@njit(cache=True, inline="always")
+def _asin(s2):
+    """Arc sine of the root of s2 <= 1/2: halve the angle, then the series; without a branch, to vectorise."""
+    s2 = min(s2, np.float32(0.5))
+    h2 = s2 / (_TWO + _TWO * math.sqrt(_ONE - s2))
+    series = _C9 + h2 * _C11
+    series = _C7 + h2 * series
+    series = _C5 + h2 * series
+    series = _C3 + h2 * series
+    return _TWO * math.sqrt(h2) * (_ONE + h2 * series)
