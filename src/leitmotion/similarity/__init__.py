@@ -2,6 +2,7 @@
 
 from leitmotion.similarity.alignment import Alignment
 from leitmotion.similarity.distance import cross_distance, self_distance
+from leitmotion.similarity.dtw import align
 from leitmotion.similarity.matrix import SimilarityMatrix
 
-__all__ = ["Alignment", "SimilarityMatrix", "cross_distance", "self_distance"]
+__all__ = ["Alignment", "SimilarityMatrix", "align", "cross_distance", "self_distance"]

@@ -1,10 +1,10 @@
 # mypy: allow-untyped-defs
-"""Loops of this room: tiles of distances between frames.
+"""Loops of this room: tiles of distances between frames, and dynamic time warping.
 
-Frames lie along the last axis, ``a (D, N)`` and ``b (D, M)``, so that the innermost loop runs over
-neighbouring columns and vectorises. One tile of the result stays in cache while it is summed and while it is
-mirrored. No sum crosses a tile and the compiler may not reorder any, so a distance depends on its two frames
-alone, to the bit.
+In the tiles frames lie along the last axis, ``a (D, N)`` and ``b (D, M)``, so that the innermost loop runs
+over neighbouring columns and vectorises. One tile of the result stays in cache while it is summed and while
+it is mirrored. No sum crosses a tile and the compiler may not reorder any, so a distance depends on its two
+frames alone, to the bit.
 """
 
 import math
@@ -14,6 +14,7 @@ from numba import njit
 
 TILE = 256  # frames: a tile is 256 KB and stays in the second-level cache
 POINTS, GROUPS, ANGLES = 0, 1, 2
+START, DIAGONAL, DOWN, ACROSS, DOWN_TWO, ACROSS_TWO = 0, 1, 2, 3, 4, 5
 
 _ZERO, _ONE, _TWO, _FOUR = np.float32(0), np.float32(1), np.float32(2), np.float32(4)
 _C3, _C5, _C7, _C9, _C11 = (np.float32(c) for c in (1 / 6, 3 / 40, 15 / 336, 105 / 3456, 945 / 42240))
@@ -153,3 +154,61 @@ def _asin(s2):
     series = _C5 + h2 * series
     series = _C3 + h2 * series
     return _TWO * math.sqrt(h2) * (_ONE + h2 * series)
+
+
+@njit(cache=True)
+def accumulate(d, w, limited, open_begin, move):
+    """Dynamic time warping over the local distances d (N, M).
+
+    D(i, j) is the least sum of weighted distances of a path to (i, j), W(i, j) the sum of its weights: a
+    diagonal step weighs w, a straight one 1. `limited` allows a straight step only after a diagonal one,
+    both taken together. Fills move (N, M), returns the last row of D and of W; ties take the diagonal.
+    """
+    N, M = d.shape
+    D = np.full((3, M), np.inf)  # rows i, i - 1, i - 2 in turn
+    W = np.zeros((3, M))
+    for i in range(N):
+        D0, D1, D2 = D[i % 3], D[(i - 1) % 3], D[(i - 2) % 3]
+        W0, W1, W2 = W[i % 3], W[(i - 1) % 3], W[(i - 2) % 3]
+        for j in range(M):
+            best, weight, how = np.inf, 0.0, START
+            if i == 0 and (j == 0 or open_begin):
+                best, weight = w * d[i, j], w
+            if i > 0 and j > 0 and D1[j - 1] + w * d[i, j] < best:
+                best, weight, how = D1[j - 1] + w * d[i, j], W1[j - 1] + w, DIAGONAL
+            if limited:
+                if i > 1 and j > 0 and D2[j - 1] + w * d[i - 1, j] + d[i, j] < best:
+                    best, weight, how = D2[j - 1] + w * d[i - 1, j] + d[i, j], W2[j - 1] + w + 1, DOWN_TWO
+                if i > 0 and j > 1 and D1[j - 2] + w * d[i, j - 1] + d[i, j] < best:
+                    best, weight, how = D1[j - 2] + w * d[i, j - 1] + d[i, j], W1[j - 2] + w + 1, ACROSS_TWO
+            else:
+                if i > 0 and D1[j] + d[i, j] < best:
+                    best, weight, how = D1[j] + d[i, j], W1[j] + 1, DOWN
+                if j > 0 and D0[j - 1] + d[i, j] < best:
+                    best, weight, how = D0[j - 1] + d[i, j], W0[j - 1] + 1, ACROSS
+            D0[j], W0[j] = best, weight
+            move[i, j] = how
+    return D[(N - 1) % 3], W[(N - 1) % 3]
+
+
+@njit(cache=True)
+def trace_back(move, j):
+    """Follow the moves from the last row's column j to where the path started, and turn the path round."""
+    i = move.shape[0] - 1
+    path = np.empty((i + j + 1, 2), np.int64)
+    k = path.shape[0]
+    while True:
+        k -= 1
+        path[k, 0], path[k, 1] = i, j
+        how = move[i, j]
+        if how == START:
+            return path[k:]
+        if how in (DOWN_TWO, ACROSS_TWO):
+            i, j = (i - 1, j) if how == DOWN_TWO else (i, j - 1)
+            k -= 1
+            path[k, 0], path[k, 1] = i, j
+            how = DIAGONAL
+        if how in (DIAGONAL, DOWN):
+            i -= 1
+        if how in (DIAGONAL, ACROSS):
+            j -= 1
