@@ -1,0 +1,236 @@
+"""ASF/AMC: Acclaim motion, a skeleton file and a file of frames.
+
+A bone of an ASF is the joint at its *proximal* end: the joint ``lfemur`` is the left hip. The tip of a bone that has no
+child is an end site. AMC states neither rate nor unit. The skeleton that Vicon BodyBuilder wrote for the CMU and
+HDM05 archives is known by its bones: 120 Hz, and one unit of length is 1/0.45 inch.
+
+References
+----------
+.. [1] J. Lander: Working with motion capture file formats. Game Developer, January 1998.
+.. [2] M. Müller et al.: Documentation Mocap Database HDM05. Universität Bonn, CG-2007-2, 2007.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+
+from leitmotion.io.asf import Acclaim, find_asf, fixed_axes, read_asf
+from leitmotion.io.numerals import as_bytes, settle
+from leitmotion.io.reading import Draft, Finding, SkeletonTake, Source
+from leitmotion.motion import rotations
+
+BODYBUILDER = frozenset(
+    "root lhipjoint lfemur ltibia lfoot ltoes rhipjoint rfemur rtibia rfoot rtoes lowerback upperback thorax "
+    "lowerneck upperneck head lclavicle lhumerus lradius lwrist lhand lfingers lthumb "
+    "rclavicle rhumerus rradius rwrist rhand rfingers rthumb".split()
+)
+"""Bones of the skeleton of the CMU and HDM05 archives."""
+
+_USUAL_RATE = 120.0
+
+
+def read(source: Source) -> Draft:
+    """Read an AMC with its ASF.
+
+    Parameters
+    ----------
+    source : Source
+        The AMC; its skeleton is ``source.options.skeleton`` or is looked for beside it.
+
+    Returns
+    -------
+    Draft
+        One person.
+
+    Raises
+    ------
+    FormatError
+        When there is no skeleton, or a frame does not fit it; it names the line.
+    """
+    path, how, reason = _skeleton_of(source)
+    acclaim = read_asf(Source(path, path.read_bytes()))
+    warnings: list[str] = []
+    channels, dofs = _channels(source, acclaim, warnings)
+    unit = None
+    if acclaim.scale == 0.45 and {name.lower() for name in acclaim.names} == BODYBUILDER:
+        unit = Finding(
+            "1/0.45 inch", "guessed", "the bones are those of the CMU and HDM05 archives, whose unit it is"
+        )
+    return Draft(
+        [_take(acclaim, channels, dofs)],
+        rate=Finding(_USUAL_RATE, "guessed", "an AMC states no rate; the CMU and HDM05 archives have 120 Hz"),
+        unit=unit,
+        up=Finding("y", "guessed", "an ASF states no vertical, and Y is the format's usual one"),
+        findings={"skeleton": Finding(str(path), how, reason)},
+        warnings=warnings,
+    )
+
+
+def _skeleton_of(source: Source) -> tuple[Path, str, str]:
+    if source.options.skeleton is not None:
+        return Path(source.options.skeleton), "given", "skeleton given by the caller"
+    return (
+        find_asf(source.path),
+        "guessed",
+        "of the ASF files in the AMC's folder and above, its name fits best",
+    )
+
+
+def _channels(
+    source: Source, acclaim: Acclaim, warnings: list[str]
+) -> tuple[np.ndarray, dict[str, tuple[int, tuple[str, ...]]]]:
+    """Numbers of all frames (T, N), and for each bone its first column and its degrees of freedom."""
+    from leitmotion.io import _kernels
+
+    start, labels = _first_frame(source)
+    known = {bone.name: bone.dofs for bone in acclaim.bones}
+    dofs: dict[str, tuple[int, tuple[str, ...]]] = {}
+    column = 0
+    for label in labels:
+        if label not in known:
+            raise source.fault(start, "bones of the skeleton", f"{label!r}", remedy=_OTHER_SKELETON)
+        dofs[label] = (column, known[label])
+        column += len(known[label])
+    for name, needed in known.items():
+        if needed and name not in dofs:
+            raise source.fault(
+                start, f"a line of bone {name!r} in the first frame", "none", remedy=_OTHER_SKELETON
+            )
+    content = source.content
+    capacity = content.count(b"\n", start) // (len(labels) + 1) + 2
+    if column * capacity > len(content):
+        capacity = len(content) // max(column, 1) + 2
+    values = np.empty((capacity, column))
+    numbers = np.empty(capacity, dtype=np.int64)
+    doubts = np.empty((values.size, 3), dtype=np.int64)
+    words = [label.encode("latin-1") for label in labels]
+    borders = np.cumsum([0, *map(len, words)])
+    counts = np.array([len(dofs[label][1]) for label in labels])
+    frames, doubtful, status, stopped, bone = _kernels.scan_amc(
+        as_bytes(content), start, as_bytes(b"".join(words)), borders, counts, values, numbers, doubts
+    )
+    if status != _kernels.DONE:
+        _explain(source, status, stopped, labels, counts, bone, frames, warnings)
+    inside = doubts[:doubtful]
+    settle(source, values, inside[inside[:, 0] < frames * column])
+    if frames == 0:
+        raise source.error("expected at least one whole frame, found none.")
+    _check_numbers(numbers[:frames], warnings)
+    return values[:frames], dofs
+
+
+_OTHER_SKELETON = "The recording was made with another skeleton: name its ASF with --skeleton FILE."
+
+
+def _first_frame(source: Source) -> tuple[int, list[str]]:
+    """Byte where the first frame begins, and its bones in the order of its lines."""
+    content = source.content
+    position = 0
+    start = -1
+    labels: list[str] = []
+    while position < len(content):
+        end = content.find(b"\n", position)
+        end = len(content) if end < 0 else end
+        words = content[position:end].split(None, 1)
+        if words and words[0].isdigit() and len(words) == 1:
+            if start >= 0:
+                break
+            start = position
+        elif words and start >= 0:
+            label = words[0].decode("latin-1")
+            if label in labels:
+                raise source.fault(position, "every bone once a frame", f"{label!r} again")
+            labels.append(label)
+        elif words and not words[0].startswith((b"#", b":")):
+            raise source.fault(
+                position, "the number of the first frame", repr(content[position : position + 40].decode("latin-1")),
+                remedy="Is this an AMC file?",
+            )  # fmt: skip
+        position = end + 1
+    if start < 0 or not labels:
+        raise source.error("expected frames, a number and a line for each bone, found none.")
+    return start, labels
+
+
+def _explain(
+    source: Source, status: int, stopped: int, labels: list[str], counts: np.ndarray, bone: int, frames: int,
+    warnings: list[str],
+) -> None:  # fmt: skip
+    from leitmotion.io import _kernels
+
+    if status == _kernels.CUT:
+        warnings.append(
+            f"The file ends within its frame {frames + 1}, at bone {labels[bone]!r}; the {frames} whole frames were read."
+        )
+        return
+    line = source.content[stopped:].partition(b"\n")[0].strip().decode("latin-1")
+    found = repr(line if len(line) <= 60 else line[:57] + "…")
+    if status == _kernels.NOT_A_FRAME:
+        expected = "the number of the next frame"
+    elif status == _kernels.WRONG_NAME:
+        expected = f"bone {labels[bone]!r}, as in the first frame"
+    else:
+        expected = f"{labels[bone]!r} and {counts[bone]} numbers"
+    raise source.fault(stopped, expected, found)
+
+
+def _check_numbers(numbers: np.ndarray, warnings: list[str]) -> None:
+    jumps = np.flatnonzero(np.diff(numbers) != 1)
+    if jumps.size:
+        k = int(jumps[0])
+        warnings.append(
+            f"Frame numbers are not consecutive at {jumps.size} places, first where {numbers[k + 1]} follows "
+            f"{numbers[k]}; the frames were taken as they stand."
+        )
+
+
+def _take(
+    acclaim: Acclaim, channels: np.ndarray, dofs: dict[str, tuple[int, tuple[str, ...]]]
+) -> SkeletonTake:
+    frames, joints = len(channels), len(acclaim.bones)
+    offsets = np.zeros((joints, 3))
+    positions = np.empty((frames, joints, 3))
+    quaternions = np.empty((frames, joints, 4))
+    for j, (bone, parent) in enumerate(zip(acclaim.bones, acclaim.parents)):
+        if parent >= 0:
+            above = acclaim.bones[parent]
+            offsets[j] = above.direction * above.length
+        else:
+            offsets[j] = acclaim.position
+        first, letters = dofs.get(bone.name, (0, ()))
+        columns = {dof: channels[:, first + k] for k, dof in enumerate(letters)}
+        quaternions[:, j] = _rotation(bone.axis, columns, acclaim.degrees, frames)
+        positions[:, j] = offsets[j]
+        moved = [columns.get(dof) for dof in ("tx", "ty", "tz")]
+        if any(shift is not None for shift in moved):
+            shift = np.stack([np.zeros(frames) if s is None else s for s in moved], axis=-1)
+            positions[:, j] += shift if parent < 0 else rotations.rotate(bone.axis, shift)
+    for j, parent in enumerate(acclaim.parents):
+        stretch = dofs.get(acclaim.bones[parent].name) if parent >= 0 else None
+        if stretch and "l" in stretch[1]:
+            length = channels[:, stretch[0] + stretch[1].index("l")]
+            positions[:, j] += length[:, None] * acclaim.bones[parent].direction
+    leaves = [j for j in range(1, joints) if j not in acclaim.parents]
+    return SkeletonTake(
+        acclaim.names,
+        np.array(acclaim.parents),
+        offsets,
+        np.array(leaves, dtype=np.int64),
+        np.array([acclaim.bones[j].direction * acclaim.bones[j].length for j in leaves]).reshape(-1, 3),
+        positions,
+        rotations.continuous(quaternions),
+    )
+
+
+def _rotation(axis: np.ndarray, columns: dict[str, np.ndarray], degrees: bool, frames: int) -> np.ndarray:
+    """``C M C^-1`` of one bone, (T, 4)."""
+    turns = [(dof[1], values) for dof, values in columns.items() if dof[0] == "r"]
+    if not turns:
+        return np.broadcast_to(rotations.IDENTITY, (frames, 4))
+    order = "".join(letter for letter, _ in turns)
+    local = fixed_axes(order, np.stack([values for _, values in turns], axis=-1), degrees)
+    if axis[0] == 1.0:
+        return local
+    return rotations.multiply(rotations.multiply(axis, local), rotations.conjugate(axis))

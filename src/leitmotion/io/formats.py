@@ -1,0 +1,90 @@
+"""The one table of file formats and their extensions.
+
+A format that is read is one line here and one module with a function ``read(source) -> Draft``. A format that is known
+but not read has a sentence instead, which says what to do.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+from dataclasses import dataclass
+from importlib import import_module
+
+from leitmotion.io.reading import Draft, Source
+
+
+@dataclass(frozen=True)
+class Format:
+    """A file format."""
+
+    name: str
+    """What it is called."""
+
+    extensions: tuple[str, ...]
+    """How its files end, in lower case, with the dot."""
+
+    module: str = ""
+    """The module of this room that reads it; empty where it is not read."""
+
+    looks: Callable[[bytes], bool] | None = None
+    """Whether a file that begins like this is one, for files whose extension tells nothing."""
+
+    remedy: str = ""
+    """What to do where it is not read."""
+
+    def read(self, source: Source) -> Draft:
+        """Read a file of this format."""
+        return import_module(f"leitmotion.io.{self.module}").read(source)  # type: ignore[no-any-return]
+
+
+def _starts(pattern: bytes) -> Callable[[bytes], bool]:
+    compiled = re.compile(rb"(?:\xef\xbb\xbf)?\s*" + pattern, re.IGNORECASE)
+    return lambda head: compiled.match(head) is not None
+
+
+FORMATS = (
+    Format("BVH", (".bvh",), "bvh", _starts(rb"HIERARCHY\b")),
+    Format("AMC", (".amc",), "asf_amc", _starts(rb"(?:#[^\n]*\n\s*)*:(?:FULLY-SPECIFIED|DEGREES|RADIANS)\b")),
+    Format("ASF", (".asf",), remedy="It holds a skeleton without motion: read the AMC that belongs to it."),
+    Format("FBX", (".fbx",), remedy="Save it as BVH, for instance in Blender."),
+    Format("glTF", (".gltf", ".glb"), remedy="Save it as BVH, for instance in Blender."),
+    Format(
+        "MATLAB", (".mat",), remedy="Save the points as CSV with the columns time, NAME_x, NAME_y, NAME_z."
+    ),
+    Format(
+        "HDF5",
+        (".h5", ".hdf5"),
+        remedy="Save the points as CSV with the columns time, NAME_x, NAME_y, NAME_z.",
+    ),
+    Format("NumPy array", (".npy",), remedy="Save it as CSV with the columns time, NAME_x, NAME_y, NAME_z."),
+    Format(
+        "OpenSim motion",
+        (".mot", ".sto"),
+        remedy="Its joint angles need their model: save the markers as TRC.",
+    ),
+    Format("Qualisys table", (".qtm",), remedy="Save it as C3D."),
+    Format("video", (".mp4", ".avi", ".mov", ".mkv", ".webm"), remedy="Take the poses from it first."),
+)
+
+EXTENSIONS: dict[str, Format] = {extension: form for form in FORMATS for extension in form.extensions}
+"""Format by extension, in lower case, with the dot."""
+
+
+def readable() -> list[str]:
+    """Extensions that :func:`leitmotion.io.read` reads."""
+    return [extension for extension, form in EXTENSIONS.items() if form.module]
+
+
+def recognise(head: bytes) -> Format | None:
+    """Tell a format by how a file begins, None where nothing fits.
+
+    Parameters
+    ----------
+    head : bytes
+        The first kilobytes of a file.
+    """
+    for form in FORMATS:
+        if form.looks is not None and form.looks(head):
+            return form
+    return None

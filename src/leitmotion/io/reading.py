@@ -1,0 +1,127 @@
+"""What a reader is given and what it gives back.
+
+A reader is a function ``read(source: Source) -> Draft`` in a module of its own. It knows its format and nothing
+else: numbers stay in the file's unit and axes, and what the format does not say stays open.
+:mod:`leitmotion.io.conform` judges the open questions and turns a draft into nouns of the house.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from os import PathLike
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from leitmotion.motion import FormatError, Motion, Trajectories
+
+HOW = ("read", "guessed", "given")
+
+
+@dataclass(frozen=True)
+class Finding:
+    """One thing that is known about a recording, and how."""
+
+    value: Any
+    """What it is: a unit's name, an axis such as "y" or "-z", a rate in hertz, a path."""
+
+    how: str
+    """"read" in the file, "guessed" because the file does not say, "given" by the caller."""
+
+    reason: str
+    """Where it stands, or why it was guessed, in words."""
+
+
+@dataclass(frozen=True)
+class Reading:
+    """What a file holds and how it was understood."""
+
+    recordings: tuple[Motion | Trajectories, ...]
+    """One noun a person."""
+
+    findings: dict[str, Finding]
+    """By topic: "unit", "up", "rate", and where meaningful "skeleton" and "handedness"."""
+
+    warnings: tuple[str, ...]
+    """What is odd about the file, a sentence each."""
+
+    path: Path
+    """The file."""
+
+    window: tuple[int, int] | None = None
+    """The frames ``[start, stop)`` of the file that the recordings hold, None for all."""
+
+    people: tuple[str, ...] = ()
+    """What each recording's person is called in the file."""
+
+
+@dataclass(frozen=True)
+class Options:
+    """What the caller knows better than the file."""
+
+    skeleton: str | PathLike[str] | None = None
+    unit: str | float | None = None
+    up: str | None = None
+    rate: float | None = None
+
+
+@dataclass(frozen=True)
+class Source:
+    """A file's bytes, where they came from, and what the caller said about them."""
+
+    path: Path
+    content: bytes
+    options: Options = field(default_factory=Options)
+
+    def line_of(self, position: int) -> int:
+        """Number, from 1, of the line that holds the byte at `position`."""
+        return self.content.count(b"\n", 0, position) + 1
+
+    def fault(self, position: int, expected: str, found: str, *, remedy: str = "") -> FormatError:
+        """Make the error that says what was expected and found at the byte `position`."""
+        return FormatError(
+            f"{self.path.name}, line {self.line_of(position)}: expected {expected}, found {found}.",
+            remedy=remedy,
+        )
+
+    def error(self, message: str, *, remedy: str = "") -> FormatError:
+        """Make an error about the file as a whole."""
+        return FormatError(f"{self.path.name}: {message}", remedy=remedy)
+
+
+@dataclass
+class SkeletonTake:
+    """One person's joints as the file has them."""
+
+    names: list[str]
+    parents: np.ndarray
+    offsets: np.ndarray
+    end_parents: np.ndarray
+    end_offsets: np.ndarray
+    positions: np.ndarray
+    rotations: np.ndarray
+    person: str = ""
+
+
+@dataclass
+class PointTake:
+    """One person's points as the file has them; NaN where unseen."""
+
+    names: list[str]
+    positions: np.ndarray
+    kind: str = "marker"
+    confidence: np.ndarray | None = None
+    person: str = ""
+
+
+@dataclass
+class Draft:
+    """What a reader found: takes in the file's unit and axes, and what the format says about them."""
+
+    takes: list[SkeletonTake] | list[PointTake]
+    rate: Finding
+    unit: Finding | None = None
+    up: Finding | None = None
+    findings: dict[str, Finding] = field(default_factory=dict)
+    warnings: list[str] = field(default_factory=list)

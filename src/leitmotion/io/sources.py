@@ -1,0 +1,259 @@
+"""From what a person types to recordings: paths, windows, people.
+
+A source is a path, or a path and a window in brackets: ``clip.bvh[12s:45s]`` in seconds, ``clip.bvh[100:400]`` in
+frames, half-open, either end left out. A file whose name really ends in brackets wins over the window.
+"""
+
+from __future__ import annotations
+
+import difflib
+import os
+import re
+from os import PathLike
+from pathlib import Path
+
+from leitmotion.io.conform import conform
+from leitmotion.io.formats import EXTENSIONS, Format, readable, recognise
+from leitmotion.io.reading import Options, Reading, Source
+from leitmotion.motion import DataError, FormatError, Motion, ParameterError, Trajectories
+
+_WINDOW = re.compile(r"^(?P<path>.+)\[(?P<start>[^\[\]:]*):(?P<stop>[^\[\]:]*)\]$", re.DOTALL)
+_HEAD = 4096
+
+
+def read(
+    source: str | PathLike[str],
+    *,
+    skeleton: str | PathLike[str] | None = None,
+    unit: str | float | None = None,
+    up: str | None = None,
+    rate: float | None = None,
+    person: str | int | None = None,
+) -> Motion | Trajectories:
+    """Read the recording of one person.
+
+    Parameters
+    ----------
+    source : str or path
+        A file, or a file and a window: ``"clip.bvh[12s:45s]"``, ``"clip.bvh[100:400]"``.
+    skeleton : str or path, optional
+        The ASF of an AMC; else it is looked for beside the AMC and above.
+    unit : str or float, optional
+        Unit of length of the file, a name ("m", "cm", "mm", "inch", "1/0.45 inch") or a number of metres; else what
+        the file states or what the body's size suggests.
+    up : str, optional
+        The file's vertical, "x", "y", "z", "-x", "-y" or "-z"; else what the file states or the body suggests.
+    rate : float, optional
+        Frames per second; else what the file states.
+    person : str or int, optional
+        Who, by name or counted from 1, where a file holds several.
+
+    Returns
+    -------
+    Motion or Trajectories
+        In metres, Y up, right-handed.
+
+    Raises
+    ------
+    FormatError
+        When the file is missing or is not what its format says.
+    DataError
+        When it holds several people and `person` is not given; the sentence names them.
+    """
+    reading = open_recording(source, skeleton=skeleton, unit=unit, up=up, rate=rate, person=person)
+    if len(reading.recordings) > 1:
+        raise DataError(
+            f"{reading.path.name} holds {len(reading.recordings)} people: {', '.join(reading.people)}.",
+            remedy="Choose one with --person NAME (person= in Python).",
+        )
+    return reading.recordings[0]
+
+
+def read_all(
+    source: str | PathLike[str],
+    *,
+    skeleton: str | PathLike[str] | None = None,
+    unit: str | float | None = None,
+    up: str | None = None,
+    rate: float | None = None,
+    person: str | int | None = None,
+) -> list[Motion | Trajectories]:
+    """Read the recordings of every person in a file; parameters as in :func:`read`.
+
+    Returns
+    -------
+    list of Motion or Trajectories
+        One a person, in the file's order.
+    """
+    return list(
+        open_recording(source, skeleton=skeleton, unit=unit, up=up, rate=rate, person=person).recordings
+    )
+
+
+def open_recording(
+    source: str | PathLike[str],
+    *,
+    skeleton: str | PathLike[str] | None = None,
+    unit: str | float | None = None,
+    up: str | None = None,
+    rate: float | None = None,
+    person: str | int | None = None,
+) -> Reading:
+    """Read a file and tell how it was understood; parameters as in :func:`read`.
+
+    Returns
+    -------
+    Reading
+        The recordings, what was read, guessed or given about them, and what is odd.
+
+    Raises
+    ------
+    FormatError
+        When the file is missing or is not what its format says.
+    DataError
+        When the person or the window is not in the file.
+    """
+    path, window = split_window(source)
+    content = read_bytes(path)
+    form = _format_of(path, content)
+    options = Options(skeleton, unit, up, rate)
+    draft = form.read(Source(path, content, options))
+    recordings, findings = conform(draft, options, path.stem)
+    people = tuple(take.person for take in draft.takes)
+    recordings, people = _choose(recordings, people, person, path)
+    frames = None
+    if window is not None:
+        frames = _frames_of(window, recordings[0].rate, len(recordings[0]), path)
+        recordings = [recording[slice(*frames)] for recording in recordings]
+    return Reading(tuple(recordings), findings, tuple(draft.warnings), path, frames, people)
+
+
+def split_window(source: str | PathLike[str]) -> tuple[Path, tuple[str, str] | None]:
+    """Part a source into its path and its window.
+
+    Parameters
+    ----------
+    source : str or path
+        A path, or a path and a window.
+
+    Returns
+    -------
+    tuple
+        The path, and the two ends as written or None.
+
+    Examples
+    --------
+    >>> split_window("clip.bvh[12s:45s]")
+    (PosixPath('clip.bvh'), ('12s', '45s'))
+    """
+    text = os.fspath(source)
+    match = _WINDOW.match(text)
+    if match is None or os.path.exists(text):
+        return Path(text), None
+    return Path(match["path"]), (match["start"].strip(), match["stop"].strip())
+
+
+def read_bytes(path: Path) -> bytes:
+    """Read a whole file, or say in one sentence why not.
+
+    Parameters
+    ----------
+    path : Path
+        The file.
+
+    Returns
+    -------
+    bytes
+        Its content, never empty.
+
+    Raises
+    ------
+    FormatError
+        When it is missing, a folder, empty or not to be read.
+    """
+    if path.is_dir():
+        raise FormatError(f"Expected a file, {path} is a folder.", remedy="Name a recording in it.")
+    try:
+        content = path.read_bytes()
+    except FileNotFoundError:
+        raise FormatError(f"There is no file {path}.", remedy=_suggest(path)) from None
+    except PermissionError:
+        raise FormatError(f"The file {path} may not be read.", remedy="Check its permissions.") from None
+    except OSError as error:
+        raise FormatError(f"The file {path} cannot be read: {error.strerror or error}.") from None
+    if not content.strip():
+        raise FormatError(f"{path.name} is empty.", remedy="Was it copied or downloaded completely?")
+    return content
+
+
+def _suggest(path: Path) -> str:
+    try:
+        names = os.listdir(path.parent)
+    except OSError:
+        return f"There is no folder {path.parent} either."
+    lower = {name.lower(): name for name in names}
+    near = [
+        lower[name] for name in difflib.get_close_matches(path.name.lower(), list(lower), n=3, cutoff=0.6)
+    ]
+    if not near:
+        near = sorted(name for name in names if Path(name).stem.lower() == path.stem.lower())[:3]
+    return f"Did you mean {' or '.join(near)}?" if near else ""
+
+
+def _format_of(path: Path, content: bytes) -> Format:
+    form = EXTENSIONS.get(path.suffix.lower())
+    head = content[:_HEAD]
+    if re.match(rb"\s*<(!doctype html|html|head|body)", head, re.IGNORECASE):
+        raise FormatError(
+            f"{path.name} is a web page, not a recording.",
+            remedy="Download the file itself, not the page about it.",
+        )
+    if form is None:
+        form = recognise(head)
+    if form is None:
+        ending = f"ends in {path.suffix!r}" if path.suffix else "has no extension"
+        raise FormatError(
+            f"{path.name} {ending}, which is no format known here, and does not begin like one.",
+            remedy=f"These are read: {', '.join(readable())}.",
+        )
+    if not form.module:
+        raise FormatError(f"{path.name}: {form.name} files are not read.", remedy=form.remedy)
+    return form
+
+
+def _choose(
+    recordings: list[Motion | Trajectories], people: tuple[str, ...], person: str | int | None, path: Path
+) -> tuple[list[Motion | Trajectories], tuple[str, ...]]:
+    if person is None:
+        return recordings, people
+    place = None
+    if str(person) in people:
+        place = people.index(str(person))
+    elif str(person).isdigit() and 1 <= int(person) <= len(people):
+        place = int(person) - 1
+    if place is None:
+        named = ", ".join(name or f"{k + 1}" for k, name in enumerate(people))
+        raise DataError(f"{path.name} holds no person {person!r}; it holds {named}.")
+    return [recordings[place]], (people[place],)
+
+
+def _frames_of(window: tuple[str, str], rate: float, count: int, path: Path) -> tuple[int, int]:
+    """Frames ``[start, stop)`` of a window, within the recording."""
+    text = f"[{window[0]}:{window[1]}]"
+    ends = []
+    for word, default in zip(window, (0, count)):
+        match = re.fullmatch(r"(\d+(?:\.\d*)?|\.\d+)\s*s|(\d+)", word)
+        if not word:
+            ends.append(default)
+        elif match is None:
+            raise ParameterError(
+                f"A window must be seconds or frames such as [12s:45s] or [100:400], got {text}."
+            )
+        else:
+            ends.append(round(float(match[1]) * rate) if match[1] else int(match[2]))
+    start, stop = ends[0], min(ends[1], count)
+    if start >= stop:
+        raise DataError(
+            f"The window {text} holds no frame of {path.name}, which has {count} ({count / rate:.2f} s)."
+        )
+    return start, stop
