@@ -1,6 +1,20 @@
 """What is a human body: joint roles and name maps, sides, mirror partners, facing, size."""
 
 from leitmotion.body.body import Body, BodyMap
+from leitmotion.body.embody import embody
+from leitmotion.body.mapfile import map_from, map_to_entries
+from leitmotion.body.mapping import find_roles
 from leitmotion.body.roles import ANALYSIS_ROLES, LINKS, ROLES, mirror_role
 
-__all__ = ["ANALYSIS_ROLES", "LINKS", "ROLES", "Body", "BodyMap", "mirror_role"]
+__all__ = [
+    "ANALYSIS_ROLES",
+    "LINKS",
+    "ROLES",
+    "Body",
+    "BodyMap",
+    "embody",
+    "find_roles",
+    "map_from",
+    "map_to_entries",
+    "mirror_role",
+]

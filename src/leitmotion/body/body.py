@@ -37,7 +37,9 @@ class BodyMap:
         object.__setattr__(self, "members", tuple(tuple(m) for m in self.members))
         set_array(self, "confidence", dtype=np.float64, shape=(len(roles),))
         if len(self.members) != len(roles):
-            raise ParameterError(f"BodyMap.members must be {len(roles)}, one a role, got {len(self.members)}.")
+            raise ParameterError(
+                f"BodyMap.members must be {len(roles)}, one a role, got {len(self.members)}."
+            )
 
     def mirror(self, role: str) -> str | None:
         """Name the mirror partner of a role, None where the recording lacks it."""
@@ -62,7 +64,8 @@ class Body:
     rate : float
         Frames per second.
     size : float
-        Body size: median length of the chain ankle-knee-hip plus pelvis-neck-head, in the unit of `positions`.
+        Body size: median length of the chain ankle-knee-hip plus pelvis-neck-head, in the unit of
+        `positions`.
     unit : {"m", "px", "relative"}
         What a number of `positions` means.
     name : str

@@ -1,7 +1,7 @@
 """Roles: what a joint or marker *is* on a human body, whatever a file calls it.
 
-A role names a place: ``left_shoulder`` is the joint at the proximal end of the upper arm, ``left_hand`` the knuckles,
-``left_toe`` the ball of the foot. ``left`` is the person's left.
+A role names a place: ``left_shoulder`` is the joint at the proximal end of the upper arm, ``left_hand`` the
+knuckles, ``left_toe`` the ball of the foot. ``left`` is the person's left.
 """
 
 AXIAL_ROLES = ("pelvis", "spine", "chest", "neck", "head")
@@ -13,7 +13,7 @@ ANALYSIS_ROLES = (
     "left_shoulder", "left_elbow", "left_wrist", "left_hip", "left_knee", "left_ankle",
     "right_shoulder", "right_elbow", "right_wrist", "right_hip", "right_knee", "right_ankle",
 )  # fmt: skip
-"""The joints that every skeleton has: what analyses compare, so that a 22- and a 43-joint file answer alike."""
+"""The joints that every skeleton has: what analyses compare, so that 22- and 43-joint files answer alike."""
 
 LINKS = (
     ("pelvis", "spine"), ("spine", "chest"), ("chest", "neck"), ("neck", "head"),

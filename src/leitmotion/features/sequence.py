@@ -56,6 +56,6 @@ class FeatureSequence:
         return self.values.shape[0]
 
     def __getitem__(self, frames: slice) -> FeatureSequence:
-        return self.replace(  # type: ignore[attr-defined, no-any-return]
+        return self.replace(  # type: ignore[attr-defined]
             values=self.values[frames], rate=slice_rate(self.rate, frames)
         )

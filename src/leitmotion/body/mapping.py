@@ -1,0 +1,173 @@
+"""Which joints or markers stand for which role: read from names and from the tree, checked against geometry.
+
+Conventions ----------- A role that cannot be told is absent: it is never filled by a guess. Confidence is 1
+where a name says a role outright and the tree and the geometry agree; markers on the skin start at 0.9,
+stand-ins lower; what speaks against an assignment lowers it (:mod:`leitmotion.body.plausibility`), nothing is
+swapped or repaired.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+import numpy as np
+
+from leitmotion.body.body import BodyMap
+from leitmotion.body.names import PointName, parse_names
+from leitmotion.body.plausibility import DOUBT, SEGMENTS, doubts
+from leitmotion.body.roles import ROLES
+from leitmotion.body.vocabulary import AXIAL_WORDS, LIMB_WORDS, ON_SKIN, Alternative
+from leitmotion.motion import Motion, Skeleton, Trajectories, forward_kinematics
+
+SAMPLE = 64  # frames that the geometric check looks at, evenly spread
+
+Found = dict[str, tuple[tuple[int, ...], float]]
+"""role -> (its points, confidence)"""
+
+
+def find_roles(recording: Motion | Trajectories) -> BodyMap:
+    """Find what each joint or marker of a recording is, from its name.
+
+    Names are read by :func:`leitmotion.body.names.parse_names` and matched against
+    :mod:`leitmotion.body.vocabulary`, all names of the recording together. In a skeleton the trunk is read
+    from the tree: ``chest`` is the last joint below the neck and the arms, ``spine`` the one nearest to half
+    way between it and the pelvis. What no name says, but others imply, is their mean: the pelvis of two hips
+    (confidence 0.8), the neck of two clavicles (0.8) or two shoulders (0.6).
+
+    Parameters
+    ----------
+    recording : Motion or Trajectories
+        Whose names to read. Some frames are placed in the world to check what the names say.
+
+    Returns
+    -------
+    BodyMap
+        The roles found, in the order of :data:`leitmotion.body.ROLES`, each with its members and confidence.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> from leitmotion.motion import Trajectories
+    >>> waist = ("LASI", "RASI", "LPSI", "RPSI", "LKNE", "RKNE")
+    >>> found = find_roles(Trajectories(waist, np.full((1, 6, 3), np.nan), rate=100))
+    >>> found.roles
+    ('pelvis', 'left_hip', 'left_knee', 'right_hip', 'right_knee')
+    >>> found.members[0], found.confidence.tolist()
+    (('LASI', 'RASI', 'LPSI', 'RPSI'), [0.9, 0.5, 0.9, 0.5, 0.9])
+    """
+    skeleton = recording.skeleton if isinstance(recording, Motion) else None
+    names = skeleton.names if skeleton is not None else recording.names  # type: ignore[union-attr]
+    found = _from_names(parse_names(names))
+    if skeleton is not None:
+        _trunk_from_tree(found, skeleton)
+    _imply(found)
+    roles = tuple(role for role in ROLES if role in found)
+    sampled = _sampled_points(recording)
+    geometry = doubts({role: sampled[:, found[role][0]].mean(axis=1) for role in roles})
+    tree = _tree_doubts(found, skeleton) if skeleton is not None else {}
+    highest = ON_SKIN if isinstance(recording, Trajectories) and recording.kind == "marker" else 1.0
+    confidence = [
+        min(found[role][1], highest) * geometry.get(role, 1.0) * tree.get(role, 1.0) for role in roles
+    ]
+    return BodyMap(
+        roles=roles,
+        members=tuple(tuple(names[i] for i in found[role][0]) for role in roles),
+        confidence=np.array(confidence),
+    )
+
+
+def _from_names(parsed: Sequence[PointName]) -> Found:
+    """Let each role choose, in the vocabulary's order, among the words that are left."""
+    place: dict[PointName, int] = {}
+    for i, name in enumerate(parsed):
+        place.setdefault(name, i)
+    taken: set[int] = set()
+    found: Found = {}
+    for limb, alternatives in LIMB_WORDS.items():
+        for side in ("left", "right"):
+            _choose(f"{side}_{limb}", side, alternatives, place, taken, found)
+    for role, alternatives in AXIAL_WORDS.items():
+        _choose(role, "", alternatives, place, taken, found)
+    return found
+
+
+def _choose(
+    role: str,
+    side: str,
+    alternatives: tuple[Alternative, ...],
+    place: Mapping[PointName, int],
+    taken: set[int],
+    found: Found,
+) -> None:
+    for alternative, confidence in alternatives:
+        wanted = [
+            PointName(part, word.rstrip("*"))
+            for word in alternative.split()
+            for part in (("left", "right") if word.endswith("*") else (side,))
+        ]
+        if not all(name in place for name in wanted):
+            continue
+        points = tuple(place[name] for name in wanted)
+        if len(points) > 1 or points[0] not in taken:
+            taken.update(points)
+            found[role] = (points, confidence)
+            return
+
+
+def _trunk_from_tree(found: Found, skeleton: Skeleton) -> None:
+    """Name chest and spine by their place in the tree, whatever the file calls them."""
+    top = next((found[role][0][0] for role in ("neck", "head", "left_clavicle") if role in found), None)
+    if top is None or "pelvis" not in found:
+        return
+    pelvis = found["pelvis"][0][0]
+    path = _path_between(skeleton.parents, pelvis, top)
+    if path is None:
+        return
+    for role in ("chest", "spine"):
+        found.pop(role, None)
+    if not path:
+        return
+    heights = np.cumsum([np.linalg.norm(skeleton.offsets[joint]) for joint in path])
+    found["chest"] = ((path[-1],), 1.0)
+    if len(path) > 1:
+        nearest = int(np.abs(heights[:-1] - heights[-1] / 2).argmin())
+        found["spine"] = ((path[nearest],), 1.0)
+
+
+def _path_between(parents: np.ndarray, ancestor: int, joint: int) -> list[int] | None:
+    """Joints strictly between an ancestor and a joint, from below; None where it is no ancestor."""
+    path: list[int] = []
+    joint = int(parents[joint])
+    while joint not in (ancestor, -1):
+        path.append(joint)
+        joint = int(parents[joint])
+    return path[::-1] if joint == ancestor else None
+
+
+def _imply(found: Found) -> None:
+    """Fill the pelvis and the neck from the pair of joints around them."""
+    for role, pair, confidence in (
+        ("pelvis", "hip", 0.8),
+        ("neck", "clavicle", 0.8),
+        ("neck", "shoulder", 0.6),
+    ):
+        left, right = found.get(f"left_{pair}"), found.get(f"right_{pair}")
+        if role not in found and left is not None and right is not None:
+            found[role] = (left[0] + right[0], min(left[1], right[1], confidence))
+
+
+def _sampled_points(recording: Motion | Trajectories) -> np.ndarray:
+    """Global positions of every point in a few frames, evenly spread."""
+    few = recording[:: max(1, len(recording) // SAMPLE)]
+    return forward_kinematics(few).positions if isinstance(few, Motion) else few.positions
+
+
+def _tree_doubts(found: Found, skeleton: Skeleton) -> dict[str, float]:
+    """Doubt a joint that does not hang, however far, on the joint that its role hangs on."""
+    doubt = {}
+    for side in ("left", "right"):
+        for above, below in SEGMENTS:
+            upper, lower = found.get(f"{side}_{above}"), found.get(f"{side}_{below}")
+            if upper and lower and _path_between(skeleton.parents, upper[0][0], lower[0][0]) is None:
+                doubt[f"{side}_{below}"] = DOUBT
+    return doubt

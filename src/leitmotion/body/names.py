@@ -1,0 +1,105 @@
+"""Names: what a joint or marker name says, whoever wrote it.
+
+``LeftUpLeg``, ``l_thigh``, ``thigh.L``, ``lThigh``, ``mixamorig:LeftUpLeg``, ``Bip01 L Thigh`` and ``lfemur``
+all say a side and a word. Sides are read from whole tokens (``left``, ``R``, the ``FL`` of ``Hip-FL``), never
+from inside a word; a letter glued to a word (``lfemur``, ``RSHO``, ``ASISl``) counts only when the rest is a
+word that :mod:`leitmotion.body.vocabulary` knows and the same word stands on the other side, too.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from typing import NamedTuple
+
+from leitmotion.body.vocabulary import WORDS
+
+SIDES = {"left": "left", "right": "right", "l": "left", "r": "right"}
+CORNERS = {
+    "fl": ("left", "front"), "fr": ("right", "front"), "bl": ("left", "back"), "br": ("right", "back"),
+    "lf": ("left", "front"), "rf": ("right", "front"), "lb": ("left", "back"), "rb": ("right", "back"),
+    "f": ("", "front"), "b": ("", "back"),
+}  # fmt: skip
+
+_TOKEN = re.compile(r"[A-Z]+(?=[A-Z][a-z])|[A-Z]?[a-z]+|[A-Z]+|\d+")
+
+
+class PointName(NamedTuple):
+    """What the name of a joint or marker says."""
+
+    side: str
+    """"left", "right" or ""."""
+
+    word: str
+    """The rest in small letters without separators: ``upleg``, ``spine1``, ``hipfront``."""
+
+
+def parse_names(names: Sequence[str]) -> tuple[PointName, ...]:
+    """Read the names of one recording together.
+
+    Parameters
+    ----------
+    names : sequence of str, P
+        Names of its joints or markers.
+
+    Returns
+    -------
+    tuple of PointName, P
+        The side and the word of each.
+
+    Examples
+    --------
+    >>> [tuple(name) for name in parse_names(["mixamorig:LeftUpLeg", "Hip-FL", "Neck_01"])]
+    [('left', 'upleg'), ('left', 'hipfront'), ('', 'neck1')]
+    >>> [tuple(name) for name in parse_names(["lfemur", "rfemur", "lowerback", "radius"])]
+    [('left', 'femur'), ('right', 'femur'), ('', 'lowerback'), ('', 'radius')]
+    """
+    tokens = [_tokens(name) for name in names]
+    shared = _shared_prefix(tokens)
+    return _unglue([_side_and_word(row[shared:]) for row in tokens])
+
+
+def _tokens(name: str) -> list[str]:
+    last = re.split(r"[:|]", name)[-1]  # what stands before is the name of a character or of a subject
+    return [token.lower().lstrip("0") or "0" for token in _TOKEN.findall(last)]
+
+
+def _shared_prefix(rows: Sequence[list[str]]) -> int:
+    """Count the leading tokens that all names share: the ``Bip01`` of ``Bip01 L Thigh``."""
+    if len(rows) < 3:
+        return 0
+    count = 0
+    while (
+        all(len(row) > count and row[count] == rows[0][count] for row in rows) and rows[0][count] not in SIDES
+    ):
+        count += 1
+    longest = max(rows, key=len)
+    return count if len(longest) > count else 0
+
+
+def _side_and_word(tokens: list[str]) -> PointName:
+    if len(tokens) > 1:
+        for place in (0, -1):
+            if tokens[place] in SIDES:
+                rest = tokens[1:] if place == 0 else tokens[:-1]
+                return PointName(SIDES[tokens[place]], "".join(rest))
+        if tokens[-1] in CORNERS:
+            side, corner = CORNERS[tokens[-1]]
+            return PointName(side, "".join(tokens[:-1]) + corner)
+    return PointName("", "".join(tokens))
+
+
+def _unglue(parsed: Sequence[PointName]) -> tuple[PointName, ...]:
+    """Split ``lfemur`` into left and femur where ``rfemur`` stands beside it."""
+    words = {name.word for name in parsed if not name.side}
+    return tuple(name if name.side else _split_glued(name.word, words) for name in parsed)
+
+
+def _split_glued(word: str, words: set[str]) -> PointName:
+    for letter, rest, partner in (
+        (word[:1], word[1:], lambda other: other + word[1:]),
+        (word[-1:], word[:-1], lambda other: word[:-1] + other),
+    ):
+        if letter in ("l", "r") and rest in WORDS and partner("r" if letter == "l" else "l") in words:
+            return PointName(SIDES[letter], rest)
+    return PointName("", word)
