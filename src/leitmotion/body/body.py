@@ -6,11 +6,11 @@ import numpy as np
 
 from leitmotion.body.roles import mirror_role
 from leitmotion.motion.errors import ParameterError
-from leitmotion.motion.noun import check_rate, noun, set_array, set_names
+from leitmotion.motion.noun import Noun, check_rate, noun, set_array, set_names
 
 
 @noun
-class BodyMap:
+class BodyMap(Noun):
     """Which joints or markers of a recording stand for which role.
 
     Parameters
@@ -48,7 +48,7 @@ class BodyMap:
 
 
 @noun
-class Body:
+class Body(Noun):
     """A person in motion as points with roles.
 
     Parameters

@@ -12,14 +12,14 @@ from __future__ import annotations
 import numpy as np
 
 from leitmotion.motion.errors import ParameterError
-from leitmotion.motion.noun import check_rate, noun, set_array
+from leitmotion.motion.noun import Noun, check_rate, noun, set_array
 from leitmotion.motion.segmentation import Segmentation
 
 KINDS = ("cyclic", "acyclic")
 
 
 @noun
-class Pattern:
+class Pattern(Noun):
     """A movement that recurs.
 
     Parameters
@@ -74,7 +74,7 @@ class Pattern:
 
 
 @noun
-class PatternPair:
+class PatternPair(Noun):
     """Two stretches that show the same movement: a stripe in the matrix.
 
     Parameters
@@ -106,7 +106,7 @@ class PatternPair:
 
 
 @noun
-class Patterns:
+class Patterns(Noun):
     """Everything that recurs in one recording.
 
     Parameters

@@ -5,12 +5,12 @@ from __future__ import annotations
 import numpy as np
 
 from leitmotion.motion.errors import ParameterError
-from leitmotion.motion.noun import check_rate, noun, set_array, set_names
+from leitmotion.motion.noun import Noun, check_rate, noun, set_array, set_names
 from leitmotion.motion.time import slice_rate
 
 
 @noun
-class FeatureSequence:
+class FeatureSequence(Noun):
     """What describes each frame.
 
     Parameters
@@ -56,6 +56,6 @@ class FeatureSequence:
         return self.values.shape[0]
 
     def __getitem__(self, frames: slice) -> FeatureSequence:
-        return self.replace(  # type: ignore[attr-defined]
+        return self.replace(
             values=self.values[frames], rate=slice_rate(self.rate, frames)
         )

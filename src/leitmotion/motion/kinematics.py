@@ -50,8 +50,13 @@ def forward_kinematics(motion: Motion) -> GlobalPose:
     parents = motion.skeleton.parents
     for start in range(0, frames, CHUNK):
         chunk = slice(start, start + CHUNK)
-        _chain(parents, motion.local_positions[chunk], motion.local_rotations[chunk],
-               positions[chunk], rotations[chunk])
+        _chain(
+            parents,
+            motion.local_positions[chunk],
+            motion.local_rotations[chunk],
+            positions[chunk],
+            rotations[chunk],
+        )
     return GlobalPose(positions, rotations)
 
 
@@ -95,17 +100,21 @@ def _chain(
             cx = 2.0 * (ay * tz - az * ty)
             cy = 2.0 * (az * tx - ax * tz)
             cz = 2.0 * (ax * ty - ay * tx)
-            p_of.append((
-                px + tx + aw * cx + ay * cz - az * cy,
-                py + ty + aw * cy + az * cx - ax * cz,
-                pz + tz + aw * cz + ax * cy - ay * cx,
-            ))
-            q_of.append((
-                aw * bw - ax * bx - ay * by - az * bz,
-                aw * bx + ax * bw + ay * bz - az * by,
-                aw * by - ax * bz + ay * bw + az * bx,
-                aw * bz + ax * by - ay * bx + az * bw,
-            ))
+            p_of.append(
+                (
+                    px + tx + aw * cx + ay * cz - az * cy,
+                    py + ty + aw * cy + az * cx - ax * cz,
+                    pz + tz + aw * cz + ax * cy - ay * cx,
+                )
+            )
+            q_of.append(
+                (
+                    aw * bw - ax * bx - ay * by - az * bz,
+                    aw * bx + ax * bw + ay * bz - az * by,
+                    aw * by - ax * bz + ay * bw + az * bx,
+                    aw * bz + ax * by - ay * bx + az * bw,
+                )
+            )
         for k in range(3):
             out_p[:, j, k] = p_of[j][k]
         for k in range(4):

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import numpy as np
 
-from leitmotion.motion.noun import check_rate, noun, set_array
+from leitmotion.motion.noun import Noun, check_rate, noun, set_array
 from leitmotion.motion.skeleton import Skeleton
 from leitmotion.motion.time import slice_rate
 
 
 @noun
-class Motion:
+class Motion(Noun):
     """A skeleton in motion, one person.
 
     Parameters
@@ -69,7 +69,7 @@ class Motion:
         return np.arange(len(self)) / self.rate
 
     def __getitem__(self, frames: slice) -> Motion:
-        return self.replace(  # type: ignore[attr-defined, no-any-return]
+        return self.replace(
             local_positions=self.local_positions[frames],
             local_rotations=self.local_rotations[frames],
             rate=slice_rate(self.rate, frames),

@@ -11,7 +11,7 @@ from __future__ import annotations
 
 import dataclasses
 from collections.abc import Sequence
-from typing import Any, TypeVar, dataclass_transform
+from typing import Any, Self, TypeVar, dataclass_transform
 
 import numpy as np
 
@@ -35,10 +35,36 @@ def noun(cls: type[T]) -> type[T]:
         The same class as a frozen dataclass.
     """
     made: Any = dataclasses.dataclass(frozen=True, eq=False)(cls)
-    made.__eq__ = _equal
-    made.__hash__ = None
-    made.replace = _replace
     return made
+
+
+class Noun:
+    """What every noun can do: be compared by value, and be copied with changes."""
+
+    __hash__ = None  # type: ignore[assignment]
+
+    def replace(self, **changes: Any) -> Self:
+        """Copy with some fields changed, checked anew.
+
+        Parameters
+        ----------
+        **changes
+            New values by field.
+
+        Returns
+        -------
+        noun
+            The copy.
+        """
+        return dataclasses.replace(self, **changes)  # type: ignore[type-var]
+
+    def __eq__(self, other: object) -> bool:
+        if type(self) is not type(other):
+            return NotImplemented
+        return all(
+            _same(getattr(self, field.name), getattr(other, field.name))
+            for field in dataclasses.fields(self)  # type: ignore[arg-type]
+        )
 
 
 def set_array(
@@ -70,10 +96,12 @@ def set_array(
         When the shape differs or a number is not finite.
     """
     given = getattr(owner, field)
-    array = np.asarray(given, dtype=dtype)
+    array: np.ndarray = np.asarray(given, dtype=dtype)
     kind = type(owner).__name__
     wanted = "(" + ", ".join("any" if n is None else str(n) for n in shape) + ")"
-    if array.ndim != len(shape) or any(n is not None and n != m for n, m in zip(shape, array.shape, strict=False)):
+    if array.ndim != len(shape) or any(
+        n is not None and n != m for n, m in zip(shape, array.shape, strict=False)
+    ):
         raise ParameterError(f"{kind}.{field} must have shape {wanted}, got {array.shape}.")
     if finite and array.dtype.kind == "f" and not np.isfinite(array).all():
         where = tuple(int(i) for i in np.argwhere(~np.isfinite(array))[0])
@@ -113,7 +141,9 @@ def set_names(owner: Any, field: str, *, unique: bool = True) -> tuple[str, ...]
     names = tuple(str(name) for name in getattr(owner, field))
     if unique and len(set(names)) != len(names):
         doubled = sorted({name for name in names if names.count(name) > 1})
-        raise ParameterError(f"{type(owner).__name__}.{field} must differ from one another, got {doubled} twice.")
+        raise ParameterError(
+            f"{type(owner).__name__}.{field} must differ from one another, got {doubled} twice."
+        )
     object.__setattr__(owner, field, names)
     return names
 
@@ -138,22 +168,11 @@ def check_rate(owner: Any) -> float:
     """
     rate = float(owner.rate)
     if not np.isfinite(rate) or rate <= 0:
-        raise ParameterError(f"{type(owner).__name__}.rate must be a positive number of hertz, got {owner.rate}.")
+        raise ParameterError(
+            f"{type(owner).__name__}.rate must be a positive number of hertz, got {owner.rate}."
+        )
     object.__setattr__(owner, "rate", rate)
     return rate
-
-
-def _replace(self: Any, **changes: Any) -> Any:
-    """Return a copy with some fields changed, checked anew."""
-    return dataclasses.replace(self, **changes)
-
-
-def _equal(self: Any, other: object) -> bool:
-    if type(self) is not type(other):
-        return NotImplemented
-    return all(
-        _same(getattr(self, field.name), getattr(other, field.name)) for field in dataclasses.fields(self)
-    )
 
 
 def _same(a: Any, b: Any) -> bool:

@@ -210,7 +210,9 @@ def from_euler(order: str, angles: np.ndarray) -> np.ndarray:
     """
     half = 0.5 * np.moveaxis(np.asarray(angles, dtype=np.float64), -1, 0)
     if len(half) != len(order):
-        raise ParameterError(f"angles must have {len(order)} columns for the order {order!r}, got {len(half)}.")
+        raise ParameterError(
+            f"angles must have {len(order)} columns for the order {order!r}, got {len(half)}."
+        )
     cosines, sines = np.cos(half), np.sin(half)
     zero = np.zeros(half.shape[1:])
     q = [cosines[0], zero, zero, zero]

@@ -7,11 +7,11 @@ from collections.abc import Iterator
 import numpy as np
 
 from leitmotion.motion.errors import ParameterError
-from leitmotion.motion.noun import check_rate, noun, set_array, set_names
+from leitmotion.motion.noun import Noun, check_rate, noun, set_array, set_names
 
 
 @noun
-class Segmentation:
+class Segmentation(Noun):
     """Stretches of a recording, each with a label and a score; gaps and overlaps are allowed.
 
     Parameters
@@ -54,7 +54,9 @@ class Segmentation:
         set_names(self, "labels", unique=False)
         set_array(self, "scores", dtype=np.float64, shape=(count,), finite=False)
         if len(self.labels) != count:
-            raise ParameterError(f"Segmentation.labels must be {count}, one a stretch, got {len(self.labels)}.")
+            raise ParameterError(
+                f"Segmentation.labels must be {count}, one a stretch, got {len(self.labels)}."
+            )
         backwards = np.flatnonzero((self.stops <= self.starts) | (self.starts < 0))
         if backwards.size:
             k = int(backwards[0])
@@ -72,7 +74,7 @@ class Segmentation:
             yield int(start), int(stop), label, float(score)
 
     def __getitem__(self, which: slice) -> Segmentation:
-        return self.replace(  # type: ignore[attr-defined, no-any-return]
+        return self.replace(
             starts=self.starts[which],
             stops=self.stops[which],
             labels=self.labels[which],

@@ -5,11 +5,11 @@ from __future__ import annotations
 import numpy as np
 
 from leitmotion.motion.errors import ParameterError
-from leitmotion.motion.noun import noun, set_array, set_names
+from leitmotion.motion.noun import Noun, noun, set_array, set_names
 
 
 @noun
-class Skeleton:
+class Skeleton(Noun):
     """A tree of joints at rest.
 
     A bone of an ASF file is the joint at its proximal end; its tip is an end site. With all local rotations at
@@ -66,7 +66,9 @@ class Skeleton:
                 f"Skeleton.parents must name a joint that stands before its child, joint {joint!r} does not."
             )
         if ends.size and (ends.min() < 0 or ends.max() >= count):
-            raise ParameterError(f"Skeleton.end_parents must lie in [0, {count}), got {ends.min()} to {ends.max()}.")
+            raise ParameterError(
+                f"Skeleton.end_parents must lie in [0, {count}), got {ends.min()} to {ends.max()}."
+            )
 
     def __len__(self) -> int:
         return len(self.names)

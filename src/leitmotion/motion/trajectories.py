@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from leitmotion.motion.errors import ParameterError
-from leitmotion.motion.noun import check_rate, noun, set_array, set_names
+from leitmotion.motion.noun import Noun, check_rate, noun, set_array, set_names
 from leitmotion.motion.time import slice_rate
 
 UNITS = ("m", "px", "relative")
@@ -13,7 +13,7 @@ KINDS = ("marker", "joint")
 
 
 @noun
-class Trajectories:
+class Trajectories(Noun):
     """Named points in motion, one person.
 
     Parameters
@@ -60,7 +60,9 @@ class Trajectories:
         points = len(set_names(self, "names"))
         positions = set_array(self, "positions", dtype=np.float64, shape=(None, points, None), finite=False)
         if positions.shape[2] not in (2, 3):
-            raise ParameterError(f"Trajectories.positions must have 2 or 3 coordinates, got {positions.shape[2]}.")
+            raise ParameterError(
+                f"Trajectories.positions must have 2 or 3 coordinates, got {positions.shape[2]}."
+            )
         if np.isinf(positions).any():
             raise ParameterError("Trajectories.positions must be finite or NaN, got infinity.")
         if self.confidence is not None:
@@ -85,7 +87,7 @@ class Trajectories:
         return np.arange(len(self)) / self.rate
 
     def __getitem__(self, frames: slice) -> Trajectories:
-        return self.replace(  # type: ignore[attr-defined, no-any-return]
+        return self.replace(
             positions=self.positions[frames],
             confidence=None if self.confidence is None else self.confidence[frames],
             rate=slice_rate(self.rate, frames),

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import numpy as np
 
-from leitmotion.motion.noun import noun, set_array
+from leitmotion.motion.noun import Noun, noun, set_array
 
 
 @noun
-class Alignment:
+class Alignment(Noun):
     """A warping path between two stretches.
 
     Parameters

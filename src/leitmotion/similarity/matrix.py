@@ -5,13 +5,13 @@ from __future__ import annotations
 import numpy as np
 
 from leitmotion.motion.errors import ParameterError
-from leitmotion.motion.noun import noun, set_array
+from leitmotion.motion.noun import Noun, noun, set_array
 
 KINDS = ("dense",)
 
 
 @noun
-class SimilarityMatrix:
+class SimilarityMatrix(Noun):
     """Distances between the moments of one recording, or of two.
 
     Parameters

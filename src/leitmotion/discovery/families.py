@@ -1,0 +1,192 @@
+"""Families: stripes of one cyclic movement, the cycles they cut, and the stretches that are the same movement.
+
+Conventions
+-----------
+Moments of the working rate; a run is a stretch of time in which a movement repeats without a break.
+
+References
+----------
+Paper P, section 2.4: the stripes of one cyclic movement begin and end together (eq. 3), one per multiple of its period.
+Two cycles give one stripe whose stretches touch; that is cyclic too, where the paper's rule (more than one stripe)
+calls it acyclic. Section 2.5 cuts cycles at the peaks of an autocorrelation; here each border is carried to the next
+along the stripe of one period, so that tempo may change.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from leitmotion.discovery.stripes import Stripe
+
+TOUCH = 0.25  # a pause of a quarter of the lag still joins two cycles
+ALIGNED = 0.6  # stripes whose joint extents overlap by this much (of their union) begin and end together
+MULTIPLE = 0.6  # a longer period is a multiple where shorter ones fill this much of it
+SAME_PERIOD = 1.5  # ratio of periods within which two runs may be one movement
+WHOLE = 0.85  # share of a cycle that counts as one at the end of a stretch
+
+
+@dataclass
+class Run:
+    """A stretch of time in which a movement repeats without a break."""
+
+    start: float
+    stop: float
+    period: float
+    stripes: list[Stripe]  # at one period
+    support: list[Stripe] = field(default_factory=list)  # at any multiple of it
+    borders: list[float] = field(default_factory=list)  # of its cycles, one more than there are cycles
+
+    @property
+    def cycles(self) -> int:
+        """How many cycles the borders cut."""
+        return max(0, len(self.borders) - 1)
+
+
+def is_near(stripe: Stripe) -> bool:
+    """Tell whether the two stretches of a stripe touch or overlap: the movement goes on without a break."""
+    return stripe.b[0] - stripe.a[1] <= TOUCH * stripe.lag
+
+
+def cyclic_runs(stripes: Sequence[Stripe]) -> list[Run]:
+    """Group near stripes into runs and cut each into cycles.
+
+    Parameters
+    ----------
+    stripes : sequence of Stripe
+        Those to be explained; only near ones are.
+
+    Returns
+    -------
+    list of Run
+        In order of time, none overlapping another by half, each of at least two cycles.
+    """
+    runs = [_run_of(group) for group in _aligned(sorted(filter(is_near, stripes), key=lambda s: s.lag))]
+    runs = _joined(_without_multiples(runs))
+    for run in runs:
+        run.borders = _cut(run)
+    runs = [run for run in runs if run.cycles >= 2]
+    return sorted(_apart(runs), key=lambda run: run.start)
+
+
+def overlap(a: tuple[float, float], b: tuple[float, float]) -> float:
+    """Length that two stretches share.
+
+    Parameters
+    ----------
+    a, b : (float, float)
+        Start and stop.
+
+    Returns
+    -------
+    float
+        0 where they do not meet.
+    """
+    return max(0.0, min(a[1], b[1]) - max(a[0], b[0]))
+
+
+def _aligned(near: list[Stripe]) -> list[list[Stripe]]:
+    """Stripes whose joint extents [Smin, Emax) agree, the shortest lag first."""
+    groups: list[list[Stripe]] = []
+    for stripe in near:
+        extent = (stripe.a[0], stripe.b[1])
+        best, share = None, ALIGNED
+        for group in groups:
+            other = (min(s.a[0] for s in group), max(s.b[1] for s in group))
+            union = max(extent[1], other[1]) - min(extent[0], other[0])
+            if overlap(extent, other) / union >= share:
+                best, share = group, overlap(extent, other) / union
+        if best is None:
+            groups.append([stripe])
+        else:
+            best.append(stripe)
+    return groups
+
+
+def _run_of(group: list[Stripe]) -> Run:
+    clear = 0.75 * max(s.contrast for s in group)
+    first = next(s for s in sorted(group, key=lambda s: s.lag) if s.contrast >= clear)
+    fundamental = [s for s in group if s.lag < 1.4 * first.lag]
+    return Run(
+        start=min(s.a[0] for s in group), stop=max(s.b[1] for s in group),
+        period=float(np.median([s.lag for s in fundamental])), stripes=fundamental, support=list(group),
+    )  # fmt: skip
+
+
+def _without_multiples(runs: list[Run]) -> list[Run]:
+    """Drop runs at a multiple of a shorter period, and small repeats inside one cycle of a larger one."""
+    kept = sorted(runs, key=lambda run: -run.period)
+    for long in list(kept):
+        inside = [
+            run for run in kept
+            if run is not long and run.period < long.period / 1.4
+            and overlap((run.start, run.stop), (long.start, long.stop)) >= 0.7 * (run.stop - run.start)
+        ]  # fmt: skip
+        if not inside:
+            continue
+        covered = np.zeros(int(np.ceil(long.stop)) + 1, bool)
+        for run in inside:
+            covered[int(run.start) : int(run.stop)] = True
+        if covered[int(long.start) :].sum() >= MULTIPLE * (long.stop - long.start):
+            kept.remove(long)
+            for run in inside:
+                run.support.extend(long.support)
+        else:
+            for run in inside:
+                kept.remove(run)
+    return kept
+
+
+def _joined(runs: list[Run]) -> list[Run]:
+    """Join runs of one period that overlap or follow without a break."""
+    joined: list[Run] = []
+    for run in sorted(runs, key=lambda run: run.start):
+        last = joined[-1] if joined else None
+        if (
+            last is not None
+            and run.start - last.stop <= 0
+            and max(run.period, last.period) <= SAME_PERIOD * min(run.period, last.period)
+            and overlap((run.start, run.stop), (last.start, last.stop)) >= 0.5 * min(run.period, last.period)
+        ):
+            last.stop = max(last.stop, run.stop)
+            last.stripes += run.stripes
+            last.support += run.support
+            last.period = float(np.median([s.lag for s in last.stripes]))
+        else:
+            joined.append(run)
+    return joined
+
+
+def _cut(run: Run) -> list[float]:
+    """Carry the first border from cycle to cycle along the stripes of one period."""
+    borders = [float(run.start)]
+    while True:
+        t = borders[-1]
+        over = [s for s in run.stripes if s.a[0] <= t <= s.a[1] - 1]
+        if over:
+            step = max(over, key=lambda s: s.gain).forward(t) - t
+        elif t + run.period <= run.stop:
+            step = run.period
+        else:
+            break
+        if t + step > run.stop or step < 1:
+            break
+        borders.append(t + step)
+    if run.stop - borders[-1] >= WHOLE * run.period:
+        borders.append(float(run.stop))
+    return borders
+
+
+def _apart(runs: list[Run]) -> list[Run]:
+    """Of runs that overlap by half of the shorter, keep the one whose stripes gain most."""
+    kept: list[Run] = []
+    for run in sorted(runs, key=lambda run: -sum(s.gain for s in run.support)):
+        if all(
+            overlap((run.start, run.stop), (other.start, other.stop))
+            < 0.5 * min(run.stop - run.start, other.stop - other.start)
+            for other in kept
+        ):
+            kept.append(run)
+    return kept

@@ -1,0 +1,327 @@
+"""The default way to find patterns: stripes by local alignment, families of cycles, returns.
+
+Conventions
+-----------
+Everything is searched at one working rate and measured in body sizes, so that the answer is the same at any frame
+rate, in any unit and for any body. Moments are of the working rate, frames of the recording.
+
+References
+----------
+Paper P (Tang, Leung, Komura, Shum, 2008), whose steps stay recognisable: posture matrix, traced paths, families of
+aligned paths, cycles. docs/papers/P.md tells where and why this differs.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from leitmotion.discovery.families import Run, cyclic_runs
+from leitmotion.discovery.pattern import Pattern, PatternPair, Patterns
+from leitmotion.discovery.returns import Return, Theme, returns_of, themes_of
+from leitmotion.discovery.stripes import Likeness, Stripe, likeness, part, trace_stripes
+from leitmotion.features.resampling import resample
+from leitmotion.features.sequence import FeatureSequence
+from leitmotion.motion.errors import ParameterError
+from leitmotion.motion.segmentation import Segmentation
+from leitmotion.similarity import align, self_distance
+
+WORKING_RATE = 30.0  # hertz
+MAX_DISTANCE = 0.06  # body sizes: mean distance of the joints of two postures that are alike
+MIN_AMPLITUDE = 0.012  # body sizes: what the joints must move, on average, not to be still
+MIN_CONTRAST = 0.4  # a stripe must be this much nearer than its surroundings
+MIN_PERIOD_S = 0.25
+COMPARED = 60  # pairs of occurrences that are aligned to judge a pattern
+
+
+def find_recurrences(
+    features: FeatureSequence,
+    *,
+    max_distance: float = MAX_DISTANCE,
+    min_duration_s: float = 0.5,
+    min_amplitude: float = MIN_AMPLITUDE,
+    min_contrast: float = MIN_CONTRAST,
+    stillness: bool = False,
+) -> Patterns:
+    """Find what recurs, without a parameter to set.
+
+    Parameters
+    ----------
+    features : FeatureSequence
+        Postures in body sizes, T frames; see :func:`leitmotion.features.posture`.
+    max_distance : float
+        Mean distance of the joints below which two postures are alike, body sizes.
+    min_duration_s : float
+        Shortest stretch that counts as coming back, seconds.
+    min_amplitude : float
+        How far the joints must move within a second, on average, not to be still, body sizes.
+    min_contrast : float
+        How much nearer than its surroundings a return must be, 0 to 1.
+    stillness : bool
+        Whether a posture that is held again counts as a pattern.
+
+    Returns
+    -------
+    Patterns
+        The pattern that fills most time first.
+
+    Raises
+    ------
+    ParameterError
+        When a parameter is out of range.
+    """
+    for name, value in (("max_distance", max_distance), ("min_duration_s", min_duration_s)):
+        if not value > 0:
+            raise ParameterError(f"{name} must be positive, got {value}.")
+    if not 0 <= min_contrast < 1:
+        raise ParameterError(f"min_contrast must lie in [0, 1), got {min_contrast}.")
+    parameters: dict[str, object] = {
+        "method": "recurrence", "working_rate_hz": WORKING_RATE,
+        "max_distance": max_distance, "max_distance_own_unit": max_distance * features.scale, "unit": features.unit,
+        "min_duration_s": min_duration_s, "min_amplitude": min_amplitude, "min_contrast": min_contrast,
+        "stillness": stillness, "features": list(features.names),
+    }  # fmt: skip
+    work = resample(features, WORKING_RATE)
+    if len(work) < 2 * min_duration_s * WORKING_RATE:
+        miss = (
+            f"The recording lasts {len(features) / features.rate:.1f} s, "
+            f"too short for two stretches of {min_duration_s:g} s."
+        )
+        return Patterns((), (), features.rate, parameters, miss)
+    distances = self_distance(work).values
+    alike = likeness(distances, WORKING_RATE, max_distance=max_distance, min_amplitude=min_amplitude)
+    traced = trace_stripes(
+        distances, alike, WORKING_RATE, max_distance=max_distance, min_duration_s=min_duration_s
+    )
+    shortest = round(min_duration_s * WORKING_RATE)
+    stripes = [s for s in traced if s.contrast >= min_contrast and s.lag >= MIN_PERIOD_S * WORKING_RATE]
+    themes = [_settled(theme) for theme in themes_of(cyclic_runs(stripes), stripes)]
+    returns = returns_of(themes, stripes, distances, alike, shortest=shortest, min_contrast=min_contrast)
+
+    scribe = _Scribe(features, distances, alike, max_distance)
+    found = [scribe.cyclic(theme) for theme in themes] + [scribe.acyclic(item) for item in returns]
+    if stillness:
+        found += [scribe.held(spans) for spans in _held_postures(distances, alike, max_distance, shortest)]
+    found.sort(key=lambda item: -_filled(item[0]))
+    named = [
+        (pattern.replace(id=letter(k)), [pair.replace(pattern=letter(k)) for pair in pairs])
+        for k, (pattern, pairs) in enumerate(found)
+    ]
+    return Patterns(
+        tuple(pattern for pattern, _ in named),
+        tuple(pair for _, pairs in named for pair in pairs),
+        features.rate,
+        parameters,
+        "" if named else _nearest_miss(traced, features, min_contrast),
+    )
+
+
+def letter(k: int) -> str:
+    """Letter of the k-th pattern: A to Z, then AA, AB and so on.
+
+    Parameters
+    ----------
+    k : int
+        0 for the first.
+
+    Returns
+    -------
+    str
+        Its letter or letters.
+
+    Examples
+    --------
+    >>> letter(0), letter(25), letter(26)
+    ('A', 'Z', 'AA')
+    """
+    text = ""
+    k += 1
+    while k:
+        k, rest = divmod(k - 1, 26)
+        text = chr(ord("A") + rest) + text
+    return text
+
+
+class _Scribe:
+    """Writes themes and returns down as nouns, in frames and in the recording's own unit."""
+
+    def __init__(
+        self, features: FeatureSequence, distances: np.ndarray, alike: Likeness, max_distance: float
+    ) -> None:
+        self.ratio = features.rate / WORKING_RATE
+        self.frames = len(features)
+        self.rate = features.rate
+        self.scale = features.scale
+        self.unit = features.unit
+        self.distances = distances
+        self.alike = alike
+        self.max_distance = max_distance
+
+    def cyclic(self, theme: Theme) -> tuple[Pattern, list[PatternPair]]:
+        cycles = [
+            (a, b) for run in theme.runs for a, b in zip(run.borders[:-1], run.borders[1:], strict=True)
+        ]
+        extents = [(run.start, run.stop) for run in theme.runs]
+        shown = [piece for stripe in theme.stripes if (piece := self._within(stripe, extents)) is not None]
+        return self._write("cyclic", cycles, extents, shown)
+
+    def acyclic(self, found: Return) -> tuple[Pattern, list[PatternPair]]:
+        return self._write("acyclic", found.spans, found.spans, found.stripes)
+
+    def held(self, spans: list[tuple[float, float]]) -> tuple[Pattern, list[PatternPair]]:
+        pattern, _ = self._write("acyclic", spans, spans, [])
+        return pattern.replace(reason="a posture that is held again, without movement"), []
+
+    def _write(
+        self,
+        kind: str,
+        occurrences: Sequence[tuple[float, float]],
+        extents: Sequence[tuple[float, float]],
+        stripes: Sequence[Stripe],
+    ) -> tuple[Pattern, list[PatternPair]]:
+        costs, pairs = self._compare(occurrences)
+        scores = [
+            float(
+                np.clip(1.0 - np.median(costs[(pairs == k).any(axis=1)]) / (2 * self.max_distance), 0.0, 1.0)
+            )
+            for k in range(len(occurrences))
+        ]
+        agreement = float(np.mean(costs < self.max_distance))
+        contrast = float(np.mean([s.contrast for s in stripes])) if stripes else 0.0
+        clarity = float(np.clip(contrast / 0.75, 0.0, 1.0)) if stripes else agreement
+        spans = self._segmentation(occurrences, np.array(scores))
+        pattern = Pattern(
+            id="?",
+            kind=kind,
+            occurrences=spans,
+            stretches=self._segmentation(extents, np.full(len(extents), np.nan)),
+            period_s=float(np.median(spans.stops - spans.starts)) / self.rate,
+            cost=float(np.mean(costs)) * self.scale,
+            confidence=round(float(np.sqrt(clarity * agreement)) * _evidence(len(stripes)), 3),
+            reason=self._reason(kind, costs, contrast, agreement),
+        )
+        return pattern, [PatternPair("?", self._to_frames(s.path), s.cost * self.scale) for s in stripes]
+
+    def _compare(self, occurrences: Sequence[tuple[float, float]]) -> tuple[np.ndarray, np.ndarray]:
+        """Align pairs of occurrences, neighbours first: mean distances (K,), and which pairs (K, 2)."""
+        count = len(occurrences)
+        pairs = sorted(((i, j) for i in range(count) for j in range(i + 1, count)), key=lambda p: p[1] - p[0])
+        if len(pairs) > COMPARED:
+            rest = np.linspace(count - 1, len(pairs) - 1, COMPARED - min(COMPARED // 2, count - 1)).astype(
+                int
+            )
+            pairs = pairs[: count - 1] + [pairs[k] for k in rest]
+        costs = []
+        for i, j in pairs:
+            rows, columns = _moments(occurrences[i]), _moments(occurrences[j])
+            costs.append(align(self.distances[rows, columns]).cost)
+        return np.array(costs), np.array(pairs)
+
+    def _within(self, stripe: Stripe, extents: Sequence[tuple[float, float]]) -> Stripe | None:
+        i, j = stripe.path[:, 0], stripe.path[:, 1]
+        rows = np.any([(i >= start) & (i < stop) for start, stop in extents], axis=0)
+        columns = np.any([(j >= start) & (j < stop) for start, stop in extents], axis=0)
+        return part(stripe, rows & columns, self.distances, self.alike)
+
+    def _segmentation(self, spans: Sequence[tuple[float, float]], scores: np.ndarray) -> Segmentation:
+        borders = np.clip(np.round(np.array(spans) * self.ratio).astype(np.int64), 0, self.frames)
+        starts, stops = borders[:, 0], borders[:, 1]
+        stops[:-1] = np.minimum(stops[:-1], np.maximum(starts[1:], starts[:-1] + 1))
+        return Segmentation(starts, stops, ("",) * len(starts), scores, self.rate)
+
+    def _to_frames(self, path: np.ndarray) -> np.ndarray:
+        return np.minimum(np.round(path * self.ratio).astype(np.int64), self.frames - 1)
+
+    def _reason(self, kind: str, costs: np.ndarray, contrast: float, agreement: float) -> str:
+        what = "cycles" if kind == "cyclic" else "occurrences"
+        apart = f"{what} are {self._length(float(np.mean(costs)))} apart on average"
+        clear = f", {1 / (1 - contrast):.1f} times nearer than their surroundings" if 0 < contrast < 1 else ""
+        odd = f"; {1 - agreement:.0%} of the pairs are not alike" if agreement < 1 else ""
+        return apart + clear + odd
+
+    def _length(self, distance: float) -> str:
+        return length_in_words(distance, self.scale, self.unit)
+
+
+def length_in_words(distance: float, scale: float, unit: str) -> str:
+    """Distance in words that a body understands.
+
+    Parameters
+    ----------
+    distance : float
+        Body sizes.
+    scale : float
+        What one body size is in the recording's own unit.
+    unit : str
+        That unit.
+
+    Returns
+    -------
+    str
+        Centimetres where the recording has metres, else a share of the body size.
+    """
+    return f"{distance * scale * 100:.1f} cm" if unit == "m" else f"{distance:.1%} of the body size"
+
+
+def _evidence(stripes: int) -> float:
+    """One stripe may be chance, several hardly: 0.8 for one, 0.89 for two, towards 1."""
+    return max(stripes, 1) / (max(stripes, 1) + 0.25)
+
+
+def _moments(span: tuple[float, float]) -> slice:
+    start = int(np.floor(span[0]))
+    return slice(start, max(start + 2, round(span[1])))
+
+
+def _settled(theme: Theme) -> Theme:
+    """Runs of one theme without overlap: a later run gives up the cycles that begin before the earlier one ends."""
+    settled: list[Run] = []
+    for run in sorted(theme.runs, key=lambda run: run.start):
+        if settled and run.start < settled[-1].stop:
+            last = settled[-1]
+            borders = [b for b in run.borders if b >= last.borders[-1]]
+            if len(borders) < 2:
+                last.stop = max(last.stop, run.stop)
+                continue
+            last.stop = min(last.stop, borders[0])
+            run = Run(max(run.start, last.stop), run.stop, run.period, run.stripes, run.support, borders)
+        settled.append(run)
+    return Theme(settled, theme.stripes)
+
+
+def _held_postures(
+    distances: np.ndarray, alike: Likeness, max_distance: float, shortest: int
+) -> list[list[tuple[float, float]]]:
+    """Stretches in which the body keeps still, grouped by posture; groups of two or more."""
+    edges = np.flatnonzero(np.diff(np.concatenate(([0], alike.still.astype(np.int8), [0])))).reshape(-1, 2)
+    spans = [(int(a), int(b)) for a, b in edges if b - a >= shortest]
+    groups: list[list[tuple[float, float]]] = []
+    for span in spans:
+        middle = (span[0] + span[1]) // 2
+        for group in groups:
+            other = int(group[0][0] + group[0][1]) // 2
+            if distances[middle, other] < max_distance:
+                group.append(span)
+                break
+        else:
+            groups.append([span])
+    return [group for group in groups if len(group) >= 2]
+
+
+def _filled(pattern: Pattern) -> int:
+    return int((pattern.stretches.stops - pattern.stretches.starts).sum())
+
+
+def _nearest_miss(traced: Sequence[Stripe], features: FeatureSequence, min_contrast: float) -> str:
+    """Say what came nearest when nothing was found; empty where nothing came near at all."""
+    if not traced:
+        return ""
+    best = max(traced, key=lambda s: s.contrast)
+    a, b = (tuple(m / WORKING_RATE for m in span) for span in (best.a, best.b))
+    return (
+        f"The nearest: {a[0]:.1f} to {a[1]:.1f} s and {b[0]:.1f} to {b[1]:.1f} s are "
+        f"{length_in_words(best.cost, features.scale, features.unit)} apart, "
+        f"{best.background / best.cost:.1f} times nearer than their surroundings; "
+        f"{1 / (1 - min_contrast):.1f} times are asked."
+    )
