@@ -58,7 +58,7 @@ def yaw_of_trunk(points: Mapping[str, np.ndarray]) -> np.ndarray | None:
     if not told.size:
         return None
     yaw = np.unwrap(np.arctan2(arrow[told, 0], arrow[told, 1]))
-    return np.interp(np.arange(len(arrow)), told, yaw)
+    return np.interp(np.arange(len(arrow)), told, yaw) + 0.0  # no negative zero
 
 
 def _left_axis(points: Mapping[str, np.ndarray]) -> np.ndarray | None:

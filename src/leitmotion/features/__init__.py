@@ -1,6 +1,22 @@
 """What numbers describe a frame, and what are they invariant to."""
 
-from leitmotion.features.posture import posture
+from leitmotion.features.catalogue import FEATURES, Feature, extract
+from leitmotion.features.markers import marker_posture
+from leitmotion.features.posture import choose_roles, posture
+from leitmotion.features.resampling import resample
+from leitmotion.features.rotations import joint_rotations
 from leitmotion.features.sequence import FeatureSequence
+from leitmotion.features.velocity import velocity
 
-__all__ = ["FeatureSequence", "posture"]
+__all__ = [
+    "FEATURES",
+    "Feature",
+    "FeatureSequence",
+    "choose_roles",
+    "extract",
+    "joint_rotations",
+    "marker_posture",
+    "posture",
+    "resample",
+    "velocity",
+]

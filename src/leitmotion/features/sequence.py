@@ -56,6 +56,4 @@ class FeatureSequence(Noun):
         return self.values.shape[0]
 
     def __getitem__(self, frames: slice) -> FeatureSequence:
-        return self.replace(
-            values=self.values[frames], rate=slice_rate(self.rate, frames)
-        )
+        return self.replace(values=self.values[frames], rate=slice_rate(self.rate, frames))

@@ -1,0 +1,101 @@
+"""The features by name: what each is computed from, and what it is invariant to."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from difflib import get_close_matches
+from typing import Any, NamedTuple
+
+from leitmotion.body import Body, BodyMap, embody
+from leitmotion.features.markers import marker_posture
+from leitmotion.features.posture import posture
+from leitmotion.features.rotations import joint_rotations
+from leitmotion.features.sequence import FeatureSequence
+from leitmotion.features.velocity import velocity
+from leitmotion.motion import Motion, ParameterError, Trajectories
+
+
+class Feature(NamedTuple):
+    """A way to describe a frame."""
+
+    compute: Callable[..., FeatureSequence]
+    """The function."""
+
+    takes: type
+    """What its first argument is: Body, Motion or Trajectories."""
+
+    invariant_to: tuple[str, ...]
+    """What may change without changing its values."""
+
+    summary: str
+    """What it is, in one line."""
+
+
+FEATURES = {
+    "posture": Feature(
+        posture, Body, ("place", "yaw", "body_size", "unit"), "where the joints are, seen from the body"
+    ),
+    "velocity": Feature(
+        velocity, Body, ("place", "yaw", "body_size", "unit"), "how fast and which way the joints move"
+    ),
+    "joint_rotations": Feature(
+        joint_rotations,
+        Motion,
+        ("place", "yaw", "body_size", "unit"),
+        "how each joint is turned against the one above",
+    ),
+    "marker_posture": Feature(
+        marker_posture, Trajectories, ("place", "yaw"), "where all markers are (paper P, eq. 1), in metres"
+    ),
+}
+"""The features by name."""
+
+
+def extract(
+    name: str, source: Motion | Trajectories | Body, body_map: BodyMap | None = None, **options: Any
+) -> FeatureSequence:
+    """Compute a feature by its name.
+
+    Parameters
+    ----------
+    name : str
+        A key of :data:`FEATURES`.
+    source : Motion, Trajectories or Body
+        What to describe; a recording becomes a body where the feature takes one.
+    body_map : BodyMap, optional
+        Which joints or markers stand for which role; by default read from names.
+    **options
+        Passed on to the feature: ``roles`` for posture, velocity and joint_rotations.
+
+    Returns
+    -------
+    FeatureSequence
+        One row a frame.
+
+    Raises
+    ------
+    ParameterError
+        When no feature bears that name, it does not take such a source or such an option.
+
+    Examples
+    --------
+    >>> body = Body(("pelvis",), [[[0, 1, 0]], [[0, 2, 0]]], facing=[0, 0], rate=10, size=1.0)
+    >>> extract("velocity", body).values.tolist()
+    [[0.0, 10.0, 0.0], [0.0, 10.0, 0.0]]
+    """
+    if name not in FEATURES:
+        near = get_close_matches(name, FEATURES, n=1)
+        hint = f"Did you mean {near[0]}? " if near else ""
+        raise ParameterError(
+            f"There is no feature {name!r}.", remedy=f"{hint}Features are {', '.join(FEATURES)}."
+        )
+    feature = FEATURES[name]
+    if feature.takes is Body and not isinstance(source, Body):
+        source, body_map = embody(source, body_map), None
+    if not isinstance(source, feature.takes):
+        raise ParameterError(
+            f"The feature {name} describes {feature.takes.__name__}, got {type(source).__name__}."
+        )
+    if body_map is not None:
+        options["body_map"] = body_map
+    return feature.compute(source, **options)
