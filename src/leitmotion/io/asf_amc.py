@@ -22,9 +22,39 @@ from leitmotion.io.reading import Draft, Finding, SkeletonTake, Source
 from leitmotion.motion import rotations
 
 BODYBUILDER = frozenset(
-    "root lhipjoint lfemur ltibia lfoot ltoes rhipjoint rfemur rtibia rfoot rtoes lowerback upperback thorax "
-    "lowerneck upperneck head lclavicle lhumerus lradius lwrist lhand lfingers lthumb "
-    "rclavicle rhumerus rradius rwrist rhand rfingers rthumb".split()
+    [
+        "root",
+        "lhipjoint",
+        "lfemur",
+        "ltibia",
+        "lfoot",
+        "ltoes",
+        "rhipjoint",
+        "rfemur",
+        "rtibia",
+        "rfoot",
+        "rtoes",
+        "lowerback",
+        "upperback",
+        "thorax",
+        "lowerneck",
+        "upperneck",
+        "head",
+        "lclavicle",
+        "lhumerus",
+        "lradius",
+        "lwrist",
+        "lhand",
+        "lfingers",
+        "lthumb",
+        "rclavicle",
+        "rhumerus",
+        "rradius",
+        "rwrist",
+        "rhand",
+        "rfingers",
+        "rthumb",
+    ]
 )
 """Bones of the skeleton of the CMU and HDM05 archives."""
 

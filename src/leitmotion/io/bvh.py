@@ -12,31 +12,20 @@ References
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass, field
-from pathlib import Path
 
 import numpy as np
 
+from leitmotion.io.bvh_hierarchy import Joint, glimpse, read_hierarchy
 from leitmotion.io.numerals import read_rows
 from leitmotion.io.reading import Draft, Finding, SkeletonTake, Source
+from leitmotion.io.units import unit_in_metres
 from leitmotion.motion import Motion, ParameterError, rotations
 
-_CHANNEL = re.compile(r"([xyz])(position|rotation)$", re.IGNORECASE)
 _NTSC = (24000 / 1001, 30000 / 1001, 60000 / 1001, 120000 / 1001)
 _SNAP = 2e-3  # how far, relatively, a rate may lie from the one that its rounded frame time is taken for
 
 CMU_BVH = frozenset({"lhipjoint", "rhipjoint", "lowerback", "lthumb", "rthumb"})
 """Joints that only the conversions of the CMU archive's own skeleton to BVH have together."""
-
-
-@dataclass
-class _Joint:
-    name: str
-    parent: int
-    offset: list[float] = field(default_factory=lambda: [0.0, 0.0, 0.0])
-    channels: list[str] = field(default_factory=list)
-    first: int = 0
-    ends: list[list[float]] = field(default_factory=list)
 
 
 def read(source: Source) -> Draft:
@@ -58,7 +47,7 @@ def read(source: Source) -> Draft:
         When the hierarchy or a row of numbers is not what the format says; it names the line.
     """
     warnings: list[str] = []
-    joints, position = _hierarchy(source, warnings)
+    joints, position = read_hierarchy(source, warnings)
     promised, seconds, start = _motion_header(source, position)
     columns = sum(len(joint.channels) for joint in joints)
     if columns == 0:
@@ -120,108 +109,6 @@ def frame_rate(text: str, source: Source) -> Finding:
     return Finding(exact, "read", f"frame time {text} s")
 
 
-def _hierarchy(source: Source, warnings: list[str]) -> tuple[list[_Joint], int]:
-    """Joints in the file's order, which is parents first, and the byte where the section MOTION begins."""
-    joints: list[_Joint] = []
-    stack: list[int | None] = []  # the open braces: a joint, or None for an end site
-    pending: int | None = None
-    awaiting = False
-    columns = 0
-    position = 0
-    content = source.content
-    if not re.match(rb"(\xef\xbb\xbf)?\s*HIERARCHY\b", content, re.IGNORECASE):
-        raise source.fault(0, "the word HIERARCHY", _glimpse(content), remedy="Is this a BVH file?")
-    while position < len(content):
-        stop = content.find(b"\n", position)
-        stop = len(content) if stop < 0 else stop
-        line = content[position:stop].decode("utf-8", "replace").replace("\ufeff", "").strip()
-        if line.endswith("{") and len(line) > 1:
-            line, brace = line[:-1].strip(), True
-        else:
-            brace = False
-        word, _, rest = line.partition(" ") if " " in line else line.partition("\t")
-        word, rest = word.upper().strip(), rest.strip()
-        if "\t" in word:
-            word, _, more = word.partition("\t")
-            rest = line[len(word) :].strip()
-        if word in ("ROOT", "JOINT"):
-            if awaiting:
-                raise source.fault(position, "a brace {", line)
-            if (word == "ROOT") != (not stack):
-                raise source.fault(position, "a JOINT within a joint and a ROOT outside", line)
-            if word == "JOINT" and stack[-1] is None:
-                raise source.fault(position, "no JOINT within an End Site", line)
-            joints.append(_Joint(rest or f"joint{len(joints)}", -1 if not stack else int(stack[-1] or 0)))
-            pending, awaiting = len(joints) - 1, True
-        elif word == "END" and rest.upper().startswith("SITE"):
-            if not stack or stack[-1] is None:
-                raise source.fault(position, "an End Site within a joint", line)
-            pending, awaiting = None, True
-        elif word == "OFFSET":
-            if not stack:
-                raise source.fault(position, "an OFFSET within a joint", line)
-            offset = _floats(source, position, rest.split(), 3)
-            if stack[-1] is None:
-                joints[_owner(stack)].ends.append(offset)
-            else:
-                joints[stack[-1]].offset = offset
-        elif word == "CHANNELS":
-            if not stack or stack[-1] is None:
-                raise source.fault(position, "CHANNELS within a joint", line)
-            joint = joints[stack[-1]]
-            joint.channels, joint.first = _channels(source, position, rest.split()), columns
-            columns += len(joint.channels)
-        elif word == "MOTION":
-            if stack:
-                raise source.fault(position, f"{len(stack)} closing braces before MOTION", "none")
-            if not joints:
-                raise source.fault(position, "a ROOT before MOTION", "none")
-            return _distinct(joints, warnings), stop + 1
-        elif line and set(line) - set("{} \t") and word != "HIERARCHY":
-            raise source.fault(
-                position, "ROOT, JOINT, End Site, OFFSET, CHANNELS or a brace", repr(line[:60])
-            )
-        for mark in "{" * brace + (line if not set(line) - set("{} \t") else ""):
-            if mark == "{":
-                if not awaiting:
-                    raise source.fault(position, "a JOINT before the brace", "{")
-                stack.append(pending)
-                awaiting = False
-            elif mark == "}":
-                if not stack:
-                    raise source.fault(position, "no more closing braces than open ones", "}")
-                stack.pop()
-        position = stop + 1
-    raise source.error(
-        "expected a section MOTION after the hierarchy, found the end: the file was cut short."
-    )
-
-
-def _owner(stack: list[int | None]) -> int:
-    return next(joint for joint in reversed(stack) if joint is not None)
-
-
-def _channels(source: Source, position: int, words: list[str]) -> list[str]:
-    """Channel letters: upper case moves, lower case turns."""
-    try:
-        count = int(words[0])
-    except (IndexError, ValueError):
-        raise source.fault(position, "a count of channels", repr(" ".join(words))) from None
-    if len(words) - 1 != count:
-        raise source.fault(position, f"{count} channels", str(len(words) - 1))
-    letters = []
-    for word in words[1:]:
-        match = _CHANNEL.match(word)
-        if not match:
-            raise source.fault(position, "channels such as Xposition or Zrotation", repr(word))
-        letter = match[1].lower()
-        letters.append(letter.upper() if match[2].lower() == "position" else letter)
-    for letter in set(letters):
-        if letter.isupper() and letters.count(letter) > 1:
-            raise source.fault(position, "each position channel once", f"{letter}position twice")
-    return letters
-
-
 def _motion_header(source: Source, position: int) -> tuple[int, str, int]:
     """How many frames are promised, the frame time as written, the byte of the first row."""
     header = re.compile(
@@ -229,7 +116,7 @@ def _motion_header(source: Source, position: int) -> tuple[int, str, int]:
     ).match(source.content, position)
     if header is None:
         raise source.fault(
-            position, "the lines 'Frames:' and 'Frame Time:'", _glimpse(source.content[position:])
+            position, "the lines 'Frames:' and 'Frame Time:'", glimpse(source.content[position:])
         )
     try:
         promised = int(float(header[1]))
@@ -238,37 +125,7 @@ def _motion_header(source: Source, position: int) -> tuple[int, str, int]:
     return promised, header[2].decode("latin-1"), header.end()
 
 
-def _floats(source: Source, position: int, words: list[str], count: int) -> list[float]:
-    try:
-        values = [float(word) for word in words]
-    except ValueError:
-        values = []
-    if len(values) != count or not np.isfinite(values).all():
-        raise source.fault(position, f"{count} numbers", repr(" ".join(words)[:60]))
-    return values
-
-
-def _glimpse(content: bytes) -> str:
-    return repr(content[:40].decode("latin-1"))
-
-
-def _distinct(joints: list[_Joint], warnings: list[str]) -> list[_Joint]:
-    """Give joints of one name within a person a number each."""
-    seen: dict[str, int] = {}
-    doubled = []
-    for joint in joints:
-        if joint.parent < 0:
-            seen = {}
-        seen[joint.name] = seen.get(joint.name, 0) + 1
-        if seen[joint.name] > 1:
-            doubled.append(joint.name)
-            joint.name = f"{joint.name}#{seen[joint.name]}"
-    if doubled:
-        warnings.append(f"Names stand twice and were numbered: {', '.join(sorted(set(doubled)))}.")
-    return joints
-
-
-def _take(joints: list[_Joint], first: int, values: np.ndarray) -> SkeletonTake:
+def _take(joints: list[Joint], first: int, values: np.ndarray) -> SkeletonTake:
     frames = len(values)
     offsets = np.array([joint.offset for joint in joints])
     parents = np.array([joint.parent - first if joint.parent >= 0 else -1 for joint in joints])
@@ -299,3 +156,93 @@ def _take(joints: list[_Joint], first: int, values: np.ndarray) -> SkeletonTake:
         rotations.continuous(quaternions),
         person=joints[0].name,
     )
+
+
+def write(motion: Motion, *, unit: str | float = "cm") -> bytes:
+    """Make the bytes of a BVH, Y up.
+
+    Joints stand depth first. The root has position channels, and so has a joint whose local position leaves its
+    offset; every joint turns in the order Z, Y, X. A leaf without an end site gets one of no length, which the
+    format asks for. The frame time is written so that the rate comes back exactly.
+
+    Parameters
+    ----------
+    motion : Motion
+        T frames of J joints.
+    unit : str or float
+        Unit of length to write, a name or a number of metres.
+
+    Returns
+    -------
+    bytes
+        The file's content.
+
+    Raises
+    ------
+    ParameterError
+        When it is no Motion or the unit is unknown.
+    """
+    if not isinstance(motion, Motion):
+        raise ParameterError(
+            f"A BVH holds a skeleton in motion, got a {type(motion).__name__}.",
+            remedy="Write points as .npz.",
+        )
+    _, metres = unit_in_metres(unit)
+    skeleton = motion.skeleton
+    offsets, positions = skeleton.offsets / metres, motion.local_positions / metres
+    moves = np.abs(motion.local_positions - skeleton.offsets).max(axis=(0, 2), initial=0.0) > 1e-9
+    moves |= skeleton.parents < 0
+    lines: list[str] = ["HIERARCHY"]
+    order: list[int] = []
+    children = [np.flatnonzero(skeleton.parents == j).tolist() for j in range(len(skeleton))]
+
+    def describe(joint: int) -> None:
+        # without recursion: a chain of a thousand joints is a legal skeleton
+        stack: list[tuple[int, int, bool]] = [(joint, 0, False)]
+        while stack:
+            j, depth, closing = stack.pop()
+            pad = "\t" * depth
+            if closing:
+                lines.append(f"{pad}}}")
+                continue
+            order.append(j)
+            name = " ".join(skeleton.names[j].split()) or f"joint{j}"
+            lines.append(f"{pad}{'JOINT' if depth else 'ROOT'} {name}")
+            lines.append(f"{pad}{{")
+            lines.append(f"{pad}\tOFFSET {_spell(offsets[j])}")
+            turns = "Zrotation Yrotation Xrotation"
+            lines.append(
+                f"{pad}\tCHANNELS 6 Xposition Yposition Zposition {turns}"
+                if moves[j]
+                else f"{pad}\tCHANNELS 3 {turns}"
+            )
+            ends = skeleton.end_offsets[skeleton.end_parents == j] / metres
+            for end in ends if len(ends) or children[j] else np.zeros((1, 3)):
+                lines.append(f"{pad}\tEnd Site\n{pad}\t{{\n{pad}\t\tOFFSET {_spell(end)}\n{pad}\t}}")
+            stack.append((j, depth, True))
+            stack.extend((child, depth + 1, False) for child in reversed(children[j]))
+
+    for root in np.flatnonzero(skeleton.parents < 0):
+        describe(int(root))
+    angles = np.rad2deg(rotations.as_euler("zyx", motion.local_rotations))
+    columns = [
+        np.concatenate((positions[:, j], angles[:, j]), 1) if moves[j] else angles[:, j] for j in order
+    ]
+    table = np.concatenate(columns, axis=1)
+    row = " ".join(["%.10g"] * table.shape[1])
+    lines += ["MOTION", f"Frames: {len(motion)}", f"Frame Time: {_frame_time(motion.rate)!r}"]
+    lines += [row % tuple(numbers) for numbers in table.tolist()]
+    return ("\n".join(lines) + "\n").encode("utf-8")
+
+
+def _spell(vector: np.ndarray) -> str:
+    return " ".join(f"{number:.10g}" for number in vector)
+
+
+def _frame_time(rate: float) -> float:
+    """Frame time whose reciprocal is the rate, to the last bit where there is one."""
+    seconds = 1.0 / rate
+    for candidate in (seconds, float(np.nextafter(seconds, 0)), float(np.nextafter(seconds, 1))):
+        if 1.0 / candidate == rate:
+            return candidate
+    return seconds

@@ -10,8 +10,10 @@ import re
 from collections.abc import Callable
 from dataclasses import dataclass
 from importlib import import_module
+from typing import Any
 
 from leitmotion.io.reading import Draft, Source
+from leitmotion.motion import Motion, Trajectories
 
 
 @dataclass(frozen=True)
@@ -30,12 +32,19 @@ class Format:
     looks: Callable[[bytes], bool] | None = None
     """Whether a file that begins like this is one, for files whose extension tells nothing."""
 
+    writes: bool = False
+    """Whether the module has a function ``write(recording, **options) -> bytes`` as well."""
+
     remedy: str = ""
     """What to do where it is not read."""
 
     def read(self, source: Source) -> Draft:
         """Read a file of this format."""
         return import_module(f"leitmotion.io.{self.module}").read(source)  # type: ignore[no-any-return]
+
+    def write(self, recording: Motion | Trajectories, **options: Any) -> bytes:
+        """Make the bytes of a file of this format."""
+        return import_module(f"leitmotion.io.{self.module}").write(recording, **options)  # type: ignore[no-any-return]
 
 
 def _starts(pattern: bytes) -> Callable[[bytes], bool]:
@@ -44,8 +53,11 @@ def _starts(pattern: bytes) -> Callable[[bytes], bool]:
 
 
 FORMATS = (
-    Format("BVH", (".bvh",), "bvh", _starts(rb"HIERARCHY\b")),
+    Format("BVH", (".bvh",), "bvh", _starts(rb"HIERARCHY\b"), writes=True),
     Format("AMC", (".amc",), "asf_amc", _starts(rb"(?:#[^\n]*\n\s*)*:(?:FULLY-SPECIFIED|DEGREES|RADIANS)\b")),
+    Format(
+        "archive", (".npz",), "archive", lambda head: head.startswith(b"PK\x03\x04header.npy"), writes=True
+    ),
     Format("ASF", (".asf",), remedy="It holds a skeleton without motion: read the AMC that belongs to it."),
     Format("FBX", (".fbx",), remedy="Save it as BVH, for instance in Blender."),
     Format("glTF", (".gltf", ".glb"), remedy="Save it as BVH, for instance in Blender."),

@@ -125,3 +125,5 @@ class Draft:
     up: Finding | None = None
     findings: dict[str, Finding] = field(default_factory=dict)
     warnings: list[str] = field(default_factory=list)
+    name: str = ""
+    """What the recording is called, where the file says so."""

@@ -118,7 +118,7 @@ def open_recording(
     form = _format_of(path, content)
     options = Options(skeleton, unit, up, rate)
     draft = form.read(Source(path, content, options))
-    recordings, findings = conform(draft, options, path.stem)
+    recordings, findings = conform(draft, options, draft.name or path.stem)
     people = tuple(take.person for take in draft.takes)
     recordings, people = _choose(recordings, people, person, path)
     frames = None

@@ -1,0 +1,296 @@
+"""Labelled stretches of time on disk: CSV and JSON both ways, and two layouts of public data sets.
+
+A stretch is ``{"start", "stop", "start_s", "stop_s", "label", "score"}``: frames half-open, seconds beside them. In CSV
+these are columns. Where a file has seconds only, or numbers with a decimal point, they are seconds; where it has both
+and they belong to another rate, the seconds count.
+"""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+import math
+import re
+from os import PathLike
+from pathlib import Path
+from typing import Any
+
+from leitmotion.io.sources import read_bytes
+from leitmotion.io.whole import write_whole
+from leitmotion.motion import FormatError, ParameterError, Segmentation
+
+_ACA_RATE = 120.0
+_BLOCK = 12  # frames of 120 Hz in a block of the mocap6 labels
+_LISTS = ("segments", "stretches", "repetitions", "occurrences", "spans")
+_COLUMNS = ("start", "stop", "start_s", "stop_s", "label", "score")
+_ALIASES = {"end": "stop", "end_s": "stop_s", "begin": "start", "name": "label", "start_frame": "start",
+            "stop_frame": "stop", "end_frame": "stop"}  # fmt: skip
+
+Row = tuple[float, float, str, float]  # start and stop in frames, label, score
+
+
+def read_annotations(
+    path: str | PathLike[str], *, rate: float, trial: str | None = None, frames: int | None = None
+) -> Segmentation:
+    """Read labelled stretches of a recording.
+
+    Parameters
+    ----------
+    path : str or path
+        ``.csv``, ``.json``, or the text layouts of the ACA annotation of CMU subject 86 (blocks of
+        ``name earliest best latest`` frames at which a segment ends) and of mocap6 (one number per 12 frames, names in
+        ``action_names.csv`` beside it).
+    rate : float
+        Frames per second of the recording.
+    trial : str, optional
+        Which block of a file with several, such as "86_01".
+    frames : int, optional
+        Length of the recording; stretches are cut to it.
+
+    Returns
+    -------
+    Segmentation
+        The stretches in the file's order.
+
+    Raises
+    ------
+    FormatError
+        When the file is missing or has another layout.
+    ParameterError
+        When the file holds several trials and `trial` is none of them.
+    """
+    path = Path(path)
+    content = read_bytes(path)
+    try:
+        text = content.decode("utf-8-sig")
+    except UnicodeDecodeError:
+        text = content.decode("latin-1")
+    if path.suffix.lower() == ".json" or text.lstrip().startswith(("{", "[")):
+        rows = _from_json(text, rate, path)
+    elif re.fullmatch(r"[\d\s]+", text):
+        rows = _from_blocks(text, rate, path)
+    elif path.suffix.lower() in (".csv", ".tsv"):
+        rows = _from_csv(text, rate, path)
+    elif re.search(r"^\S+[ \t]+\d+[ \t]+\d+[ \t]+\d+[ \t]*$", text, re.MULTILINE):
+        rows = _from_aca(text, rate, trial, path)
+    else:
+        rows = _from_csv(text, rate, path)
+    return _segmentation(rows, rate, frames, path)
+
+
+def write_annotations(segmentation: Segmentation, path: str | PathLike[str]) -> Path:
+    """Write labelled stretches as ``.csv`` or ``.json``, frames and seconds.
+
+    Parameters
+    ----------
+    segmentation : Segmentation
+        The stretches.
+    path : str or path
+        The file; its extension chooses the layout.
+
+    Returns
+    -------
+    Path
+        The file.
+
+    Raises
+    ------
+    ParameterError
+        When the extension is another.
+    """
+    path = Path(path)
+    rows = as_stretches(segmentation)
+    if path.suffix.lower() == ".json":
+        document = {"rate": segmentation.rate, "segments": rows}
+        return write_whole(path, json.dumps(document, ensure_ascii=False, indent=1) + "\n")
+    if path.suffix.lower() == ".csv":
+        file = io.StringIO()
+        writer = csv.writer(file, lineterminator="\n")
+        writer.writerow(_COLUMNS)
+        writer.writerows([["" if row[name] is None else row[name] for name in _COLUMNS] for row in rows])
+        return write_whole(path, file.getvalue())
+    raise ParameterError(f"Annotations are written as .csv or .json, got {path.suffix or path.name!r}.")
+
+
+def as_stretches(segmentation: Segmentation) -> list[dict[str, Any]]:
+    """Spell stretches as the house's JSON does; a score that is not finite is None.
+
+    Parameters
+    ----------
+    segmentation : Segmentation
+        S stretches.
+
+    Returns
+    -------
+    list of dict, S
+        With the keys start, stop, start_s, stop_s, label, score.
+
+    Examples
+    --------
+    >>> as_stretches(Segmentation([0], [60], ("walk",), rate=120))[0]["stop_s"]
+    0.5
+    """
+    return [
+        {
+            "start": start, "stop": stop,
+            "start_s": start / segmentation.rate, "stop_s": stop / segmentation.rate,
+            "label": label, "score": score if math.isfinite(score) else None,
+        }
+        for start, stop, label, score in segmentation
+    ]  # fmt: skip
+
+
+def _segmentation(rows: list[Row], rate: float, frames: int | None, path: Path) -> Segmentation:
+    spans = []
+    for start, stop, label, score in rows:
+        first, last = round(start), round(stop)
+        if frames is not None:
+            first, last = min(first, frames), min(last, frames)
+            if first == last:
+                continue
+        spans.append((first, last, label, score))
+    try:
+        return Segmentation(
+            [s[0] for s in spans],
+            [s[1] for s in spans],
+            tuple(s[2] for s in spans),
+            [s[3] for s in spans],
+            rate,
+        )  # type: ignore[arg-type]
+    except ParameterError as error:
+        raise FormatError(f"{path.name}: {error.message}") from None
+
+
+def _row(entry: dict[str, Any], rate: float, where: str) -> Row:
+    values = {}
+    for name in ("start", "stop", "start_s", "stop_s", "score"):
+        given = entry.get(name)
+        if given is None or given == "":
+            continue
+        try:
+            values[name] = float(given)
+        except (TypeError, ValueError):
+            raise FormatError(f"{where}: expected a number as {name}, found {given!r}.") from None
+        if name != "score" and not math.isfinite(values[name]):
+            raise FormatError(f"{where}: expected a finite {name}, found {given!r}.")
+    seconds = "start_s" in values and "stop_s" in values
+    if "start" in values and "stop" in values:
+        start, stop = values["start"], values["stop"]
+        # JSON tells 12 from 12.0 by type, CSV by the decimal point
+        if any(isinstance(entry[name], float) or "." in str(entry[name]) for name in ("start", "stop")):
+            start, stop = start * rate, stop * rate
+        elif seconds and abs(values["stop_s"] * rate - stop) > 0.5:
+            start, stop = values["start_s"] * rate, values["stop_s"] * rate
+    elif seconds:
+        start, stop = values["start_s"] * rate, values["stop_s"] * rate
+    else:
+        raise FormatError(
+            f"{where}: expected start and stop (frames) or start_s and stop_s (seconds), "
+            f"found {', '.join(map(str, entry)) or 'nothing'}."
+        )
+    label = entry.get("label")
+    return start, stop, "" if label is None else str(label), values.get("score", math.nan)
+
+
+def _from_json(text: str, rate: float, path: Path) -> list[Row]:
+    try:
+        document = json.loads(text)
+    except (ValueError, RecursionError) as error:
+        raise FormatError(f"{path.name} is no JSON: {error}.") from None
+    entries = document
+    if isinstance(entries, dict):
+        entries = entries.get("result", entries)
+    if isinstance(entries, dict):
+        entries = next((entries[name] for name in _LISTS if name in entries), None)
+    if not isinstance(entries, list) or not all(isinstance(entry, dict) for entry in entries):
+        raise FormatError(
+            f"{path.name}: expected a list of stretches, alone or under one of the names {', '.join(_LISTS)}."
+        )
+    return [_row(entry, rate, f"{path.name}, stretch {k + 1}") for k, entry in enumerate(entries)]
+
+
+def _from_csv(text: str, rate: float, path: Path) -> list[Row]:
+    first = text.partition("\n")[0]
+    delimiter = max(",;\t", key=first.count)
+    lines = [
+        (number, cells)
+        for number, cells in enumerate(csv.reader(io.StringIO(text, newline=""), delimiter=delimiter), 1)
+        if any(cell.strip() for cell in cells)
+    ]
+    header = [cell.strip().lower() for cell in lines[0][1]]
+    names = [_ALIASES.get(word, word) for word in header]
+    if {"start", "stop"} <= set(names) or {"start_s", "stop_s"} <= set(names):
+        lines = lines[1:]
+    elif _is_number(header[0]) and len(header) > 1 and _is_number(header[1]):
+        names = ["start", "stop", "label", "score"][: len(header)]
+    else:
+        raise FormatError(
+            f"{path.name}, line 1: expected the columns start, stop, label (frames) or start_s, stop_s, label "
+            f"(seconds), found {', '.join(lines[0][1][:6])}."
+        )
+    decimal = any("." in cells[names.index(n)] for _, cells in lines for n in ("start", "stop")
+                  if n in names and names.index(n) < len(cells))  # fmt: skip
+    rows = []
+    for number, cells in lines:
+        entry: dict[str, Any] = dict(zip(names, (cell.strip() for cell in cells)))
+        if decimal:  # one decimal point makes a column of seconds
+            entry = {"start_s": entry.pop("start", ""), "stop_s": entry.pop("stop", ""), **entry}
+        rows.append(_row(entry, rate, f"{path.name}, line {number}"))
+    return rows
+
+
+def _is_number(word: str) -> bool:
+    try:
+        return math.isfinite(float(word))
+    except ValueError:
+        return False
+
+
+def _from_aca(text: str, rate: float, trial: str | None, path: Path) -> list[Row]:
+    """Blocks of ``name earliest best latest``, the frames, from 1 at 120 Hz, with which a segment ends."""
+    blocks: dict[str, list[Row]] = {}
+    rows: list[Row] = []
+    begin = 0.0
+    for number, line in enumerate(text.splitlines(), 1):
+        words = line.split()
+        if len(words) == 2 and words[0].isdigit():
+            begin, rows = 0.0, blocks.setdefault("_".join(words), [])
+        elif len(words) == 4 and words[2].isdigit():
+            end = (
+                float(words[2]) * rate / _ACA_RATE
+            )  # the last frame counted from 1 is the stop counted from 0
+            rows.append((begin, end, words[0], math.nan))
+            begin = end
+        elif words:
+            raise FormatError(
+                f"{path.name}, line {number}: expected a trial or a name and three frames, found {line!r}."
+            )
+    wanted = trial.replace(" ", "_") if trial else None
+    if wanted is None and len(blocks) == 1:
+        wanted = next(iter(blocks))
+    if wanted not in blocks:
+        asked = f"no trial {trial!r}" if trial else "several trials"
+        raise ParameterError(
+            f"{path.name} holds {asked}; it holds {', '.join(blocks)}: choose one with trial=."
+        )
+    return blocks[wanted]
+
+
+def _from_blocks(text: str, rate: float, path: Path) -> list[Row]:
+    """One number a block of 12 frames at 120 Hz; runs of one number are one stretch."""
+    names = {}
+    beside = path.with_name("action_names.csv")
+    if beside.is_file():
+        for cells in csv.reader(io.StringIO(beside.read_text(encoding="utf-8-sig"))):
+            if len(cells) > 1 and cells[0].strip().isdigit():
+                names[int(cells[0])] = cells[1].strip()
+    frames = _BLOCK * rate / _ACA_RATE
+    rows: list[Row] = []
+    numbers = [int(word) for word in text.split()]
+    begin = 0
+    for k, number in enumerate(numbers):
+        if k + 1 == len(numbers) or numbers[k + 1] != number:
+            rows.append((begin * frames, (k + 1) * frames, names.get(number, str(number)), math.nan))
+            begin = k + 1
+    return rows

@@ -1,0 +1,231 @@
+"""What a file does not say, judged from the body in it: the unit, the vertical, the sides.
+
+Every judgement is a :class:`~leitmotion.io.reading.Finding` that is "guessed" and says why.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from leitmotion.io.reading import Finding, PointTake, SkeletonTake
+from leitmotion.io.units import METRES
+from leitmotion.motion import Motion, Skeleton, forward_kinematics
+
+_CANDIDATES = ("m", "cm", "mm", "inch", "1/0.45 inch")
+_STANDING = 1.7  # metres, the largest distance between two points of a standing adult
+_ANKLE_TO_HEAD = 1.5  # metres, along the joints, of an adult
+_USUAL = 1.35  # by which factor a body may differ from the usual one without a word
+_LOOKS = 32  # frames looked at
+_UPRIGHT = 0.8  # share of the way from feet to head that must lie along one axis
+
+_HIGH = ("head", "fhd", "bhd", "neck", "c7", "clav", "shoulder", "sho", "acro", "chest", "thorax", "ster")
+_LOW = ("foot", "feet", "toe", "ankle", "heel", "ank", "hee", "mt1", "mt2", "mt5", "shank", "tibia", "knee")
+
+
+def look(take: SkeletonTake | PointTake) -> np.ndarray:
+    """Place a person's points in a few frames spread over the recording.
+
+    Parameters
+    ----------
+    take : SkeletonTake or PointTake
+        One person.
+
+    Returns
+    -------
+    (L, P, C) float
+        Global positions in the file's unit and axes, NaN where unseen.
+    """
+    frames = len(take.positions)
+    chosen = np.unique(np.linspace(0, frames - 1, min(frames, _LOOKS)).astype(int))
+    if isinstance(take, PointTake):
+        return take.positions[chosen]
+    skeleton = Skeleton(tuple(take.names), take.parents, take.offsets)
+    motion = Motion(skeleton, take.positions[chosen], take.rotations[chosen], rate=1.0)
+    return forward_kinematics(motion).positions
+
+
+def judge_up(positions: np.ndarray, take: SkeletonTake | PointTake) -> Finding:
+    """Tell the vertical: the axis from the feet to the head where names tell, else the body's longest.
+
+    Parameters
+    ----------
+    positions : (L, P, C) float
+        What :func:`look` saw.
+    take : SkeletonTake or PointTake
+        The person.
+
+    Returns
+    -------
+    Finding
+        An axis, "y" or "-z".
+    """
+    axes = "xyz"[: positions.shape[-1]]
+    words = [name.lower() for name in take.names]
+    high = [k for k, word in enumerate(words) if any(part in word for part in _HIGH)]
+    low = [k for k, word in enumerate(words) if any(part in word for part in _LOW)]
+    if high and low:
+        axis = _along(axes, _median(_mean(positions[:, high]) - _mean(positions[:, low])))
+        if axis:
+            return Finding(axis, "guessed", "the head is above the feet along it")
+        if isinstance(take, SkeletonTake):
+            rest = _rest(take)
+            axis = _along(axes, rest[high].mean(axis=0) - rest[low].mean(axis=0))
+            if axis:
+                return Finding(axis, "guessed", "the head is above the feet along it in the rest pose")
+    spread = _median(_reach(positions))
+    longest = int(np.argmax(spread))
+    if spread[longest] > 1.2 * np.delete(spread, longest).max():
+        return Finding(axes[longest], "guessed", "the body is longest along it")
+    return Finding("y", "guessed", "nothing in the file tells, and Y is the usual vertical")
+
+
+def judge_unit(take: SkeletonTake | PointTake, positions: np.ndarray) -> tuple[Finding, str]:
+    """Tell the unit from the body's size.
+
+    Of a skeleton whose joints are named, the size is the way along its joints from an ankle to the head; else it is
+    the largest distance between two points, in the median frame.
+
+    Parameters
+    ----------
+    take : SkeletonTake or PointTake
+        The person.
+    positions : (L, P, C) float
+        What :func:`look` saw.
+
+    Returns
+    -------
+    tuple of Finding and str
+        The unit's name; a warning where no usual unit makes a body of a usual size, else empty.
+    """
+    size = _ankle_to_head(take) if isinstance(take, SkeletonTake) else 0.0
+    usual, what = _ANKLE_TO_HEAD, "from ankle to head"
+    if size == 0.0:
+        size, usual, what = _size(positions), _STANDING, "across"
+    if size == 0.0:
+        return Finding("m", "guessed", "the body has no size to judge a unit by"), ""
+    unit = min(_CANDIDATES, key=lambda word: abs(np.log(size * METRES[word] / usual)))
+    metres = size * METRES[unit]
+    reason = f"with it the body measures {metres:.2f} m {what}, an adult's about {usual} m"
+    warning = ""
+    if abs(np.log(metres / usual)) > np.log(_USUAL):
+        warning = (
+            f"No usual unit makes this body of a usual size; taken as {unit} it measures {metres:.2f} m {what}: "
+            "state the unit with --unit if sizes matter."
+        )
+    return Finding(unit, "guessed", reason), warning
+
+
+def judge_sides(motion: Motion) -> Finding | None:
+    """Tell whether left is left: left, up and forward must make a right-handed frame while the toes point forward.
+
+    Parameters
+    ----------
+    motion : Motion
+        In the house's axes.
+
+    Returns
+    -------
+    Finding or None
+        "right" for right-handed; "left" where the sides look swapped; None where it cannot be told.
+    """
+    words = [name.lower() for name in motion.skeleton.names]
+    hips = [_find(words, side, ("knee", "lowerleg", "tibia", "shin", "leg")) for side in "lr"]
+    feet = [_find(words, side, ("ankle", "foot")) for side in "lr"]
+    toes = [_find(words, side, ("toe",)) for side in "lr"]
+    if None in hips or None in feet or None in toes:
+        return None
+    pose = forward_kinematics(motion[:: max(1, len(motion) // _LOOKS)]).positions
+    left = pose[:, hips[0]] - pose[:, hips[1]]
+    forward = (pose[:, toes] - pose[:, feet]).mean(axis=1)
+    facing = left[:, 0] * forward[:, 2] - left[:, 2] * forward[:, 0]
+    vote = float(np.sign(facing).mean())
+    if abs(vote) < 0.5:
+        return None
+    if vote > 0:
+        return Finding("right", "guessed", "the left knee is on the left of where the toes point")
+    return Finding("left", "guessed", "the knee named left is on the right of where the toes point")
+
+
+def _along(axes: str, rise: np.ndarray) -> str:
+    """Name the axis, with its sign, along which most of a way lies; empty where it lies askew."""
+    length = float(np.linalg.norm(rise))
+    axis = int(np.argmax(np.abs(rise)))
+    if length == 0.0 or abs(rise[axis]) < _UPRIGHT * length:
+        return ""
+    return ("-" if rise[axis] < 0 else "") + axes[axis]
+
+
+def _ankle_to_head(take: SkeletonTake) -> float:
+    """Way along the joints from an ankle to the head, 0 where no joint is named so."""
+    words = [name.lower() for name in take.names]
+    heads = [k for k, word in enumerate(words) if "head" in word]
+    ankles = [k for k, word in enumerate(words) if "ankle" in word or "foot" in word]
+    if not heads or not ankles:
+        return 0.0
+    bones = np.median(
+        np.linalg.norm(take.positions[:: max(1, len(take.positions) // _LOOKS)], axis=-1), axis=0
+    )
+
+    def above(joint: int) -> set[int]:
+        chain = set()
+        while joint >= 0:
+            chain.add(joint)
+            joint = int(take.parents[joint])
+        return chain
+
+    head = above(heads[0])
+    return float(np.median([sum(bones[j] for j in head ^ above(ankle)) for ankle in ankles]))
+
+
+def _size(positions: np.ndarray) -> float:
+    sizes = []
+    for points in positions:
+        seen = points[np.isfinite(points).all(axis=1)]
+        if len(seen) > 1:
+            sizes.append(np.linalg.norm(seen[:, None] - seen[None], axis=-1).max())
+    return float(np.median(sizes)) if sizes else 0.0
+
+
+def _find(words: list[str], side: str, parts: tuple[str, ...]) -> int | None:
+    """First joint of a side whose name holds one of the parts; the upper leg does not count as a leg."""
+    whole = {"l": "left", "r": "right"}[side]
+    for part in parts:
+        for k, word in enumerate(words):
+            bare = word.rpartition(":")[2]
+            if part not in bare or "up" in bare or "thigh" in bare:
+                continue
+            rest = bare.replace(part, "|", 1)
+            if (
+                whole in rest
+                or rest.startswith((f"{side}|", f"{side}_", f"{side}."))
+                or rest.endswith((f"_{side}", f".{side}", f"|{side}"))
+            ):
+                return k
+    return None
+
+
+def _rest(take: SkeletonTake) -> np.ndarray:
+    rest = np.array(take.offsets)
+    for joint, parent in enumerate(take.parents):
+        if parent >= 0:
+            rest[joint] += rest[parent]
+    return rest
+
+
+def _mean(points: np.ndarray) -> np.ndarray:
+    """Mean over points of (T, P, C), without those unseen; NaN where none is seen."""
+    seen = np.isfinite(points).all(axis=-1, keepdims=True)
+    count = seen.sum(axis=1)
+    total = np.where(seen, points, 0.0).sum(axis=1)
+    return np.where(count > 0, total / np.maximum(count, 1), np.nan)
+
+
+def _reach(positions: np.ndarray) -> np.ndarray:
+    seen = np.isfinite(positions)
+    reach = np.where(seen, positions, -np.inf).max(axis=1) - np.where(seen, positions, np.inf).min(axis=1)
+    return np.where(np.isfinite(reach), reach, np.nan)
+
+
+def _median(rows: np.ndarray) -> np.ndarray:
+    rows = rows[np.isfinite(rows).all(axis=1)]
+    return np.median(rows, axis=0) if len(rows) else np.zeros(rows.shape[1])

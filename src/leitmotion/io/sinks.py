@@ -1,0 +1,44 @@
+"""From recordings to files."""
+
+from __future__ import annotations
+
+from os import PathLike
+from pathlib import Path
+from typing import Any
+
+from leitmotion.io.formats import EXTENSIONS
+from leitmotion.io.whole import write_whole
+from leitmotion.motion import Motion, ParameterError, Trajectories
+
+
+def write(recording: Motion | Trajectories, path: str | PathLike[str], **options: Any) -> Path:
+    """Write a recording in the format that the extension names, whole or not at all.
+
+    Parameters
+    ----------
+    recording : Motion or Trajectories
+        What to write.
+    path : str or path
+        ``.bvh`` (a Motion; option `unit`, "cm" unless said otherwise) or ``.npz``.
+    **options
+        What the format's own ``write`` takes.
+
+    Returns
+    -------
+    Path
+        The file.
+
+    Raises
+    ------
+    ParameterError
+        When the extension is not written, or the recording is of a kind that the format does not hold.
+    """
+    path = Path(path)
+    form = EXTENSIONS.get(path.suffix.lower())
+    if form is None or not form.writes:
+        written = ", ".join(extension for extension, form in EXTENSIONS.items() if form.writes)
+        raise ParameterError(
+            f"Recordings are written as {written}, got {path.suffix or path.name!r}.",
+            remedy="Choose one of these extensions.",
+        )
+    return write_whole(path, form.write(recording, **options))
