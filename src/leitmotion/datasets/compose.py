@@ -269,10 +269,10 @@ def _after(place: Place, move: Place) -> Place:
 
 def _sway(posture: Posture, drift: np.ndarray) -> None:
     """Let the person breathe and balance; the feet stay."""
-    posture.hips[:, [0, 2]] += 0.0022 * drift[:, :2]
-    posture.trunk += 0.011 * drift[:, 2:5]
-    posture.head += 0.022 * drift[:, 5:8]
-    posture.arms[..., :4] += 0.020 * drift[:, 8:16].reshape(-1, 2, 4)
+    posture.hips[:, [0, 2]] += 0.0028 * drift[:, :2]
+    posture.trunk += 0.015 * drift[:, 2:5]
+    posture.head += 0.030 * drift[:, 5:8]
+    posture.arms[..., :4] += 0.035 * drift[:, 8:16].reshape(-1, 2, 4)
 
 
 def _small_turns(angles: np.ndarray) -> np.ndarray:
