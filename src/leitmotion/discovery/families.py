@@ -50,13 +50,15 @@ def is_near(stripe: Stripe) -> bool:
     return stripe.b[0] - stripe.a[1] <= TOUCH * stripe.lag
 
 
-def cyclic_runs(stripes: Sequence[Stripe]) -> list[Run]:
+def cyclic_runs(stripes: Sequence[Stripe], moving: np.ndarray) -> list[Run]:
     """Group near stripes into runs and cut each into cycles.
 
     Parameters
     ----------
     stripes : sequence of Stripe
         Those to be explained; only near ones are.
+    moving : (N,) bool
+        Whether the body moves at each moment; see :class:`leitmotion.discovery.stripes.Likeness`.
 
     Returns
     -------
@@ -66,7 +68,7 @@ def cyclic_runs(stripes: Sequence[Stripe]) -> list[Run]:
     runs = [_run_of(group) for group in _aligned(sorted(filter(is_near, stripes), key=lambda s: s.lag))]
     runs = _joined(_without_multiples(runs))
     for run in runs:
-        run.borders = _cut(run)
+        run.borders = _cut(run, moving)
     runs = [run for run in runs if run.cycles >= 2]
     return sorted(_apart(runs), key=lambda run: run.start)
 
@@ -159,8 +161,11 @@ def _joined(runs: list[Run]) -> list[Run]:
     return joined
 
 
-def _cut(run: Run) -> list[float]:
-    """Carry the first border from cycle to cycle along the stripes of one period."""
+def _cut(run: Run, moving: np.ndarray) -> list[float]:
+    """Carry the first border from cycle to cycle along the stripes of one period.
+
+    The last cycle is whole when it moves as long as the others do: no rest need follow it.
+    """
     borders = [float(run.start)]
     while True:
         t = borders[-1]
@@ -174,9 +179,18 @@ def _cut(run: Run) -> list[float]:
         if t + step > run.stop or step < 1:
             break
         borders.append(t + step)
-    if run.stop - borders[-1] >= WHOLE * run.period:
+    if run.stop - borders[-1] >= WHOLE * _moving_part(run, borders, moving):
         borders.append(float(run.stop))
     return borders
+
+
+def _moving_part(run: Run, borders: list[float], moving: np.ndarray) -> float:
+    """Median length of a cycle up to the rest that follows it."""
+    lengths = []
+    for start, stop in zip(borders[:-1], borders[1:], strict=True):
+        active = np.flatnonzero(moving[int(start) : int(np.ceil(stop))])
+        lengths.append(float(active[-1] + 1) if active.size else stop - start)
+    return float(np.median(lengths)) if lengths else run.period
 
 
 def _apart(runs: list[Run]) -> list[Run]:

@@ -96,7 +96,7 @@ def find_recurrences(
     )
     shortest = round(min_duration_s * WORKING_RATE)
     stripes = [s for s in traced if s.contrast >= min_contrast and s.lag >= MIN_PERIOD_S * WORKING_RATE]
-    themes = [_settled(theme) for theme in themes_of(cyclic_runs(stripes), stripes)]
+    themes = [_settled(theme) for theme in themes_of(cyclic_runs(stripes, alike.moving), stripes)]
     returns = returns_of(themes, stripes, distances, alike, shortest=shortest, min_contrast=min_contrast)
 
     scribe = _Scribe(features, distances, alike, max_distance)
@@ -318,10 +318,11 @@ def _nearest_miss(traced: Sequence[Stripe], features: FeatureSequence, min_contr
     if not traced:
         return ""
     best = max(traced, key=lambda s: s.contrast)
-    a, b = (tuple(m / WORKING_RATE for m in span) for span in (best.a, best.b))
+    a, b = (tuple(moment / WORKING_RATE for moment in span) for span in (best.a, best.b))
+    apart = length_in_words(best.cost, features.scale, features.unit)
+    times, asked = best.background / best.cost, 1 / (1 - min_contrast)
+    clear = f"only {times:.1f} times" if times > 1.05 else "no"
     return (
-        f"The nearest: {a[0]:.1f} to {a[1]:.1f} s and {b[0]:.1f} to {b[1]:.1f} s are "
-        f"{length_in_words(best.cost, features.scale, features.unit)} apart, "
-        f"{best.background / best.cost:.1f} times nearer than their surroundings; "
-        f"{1 / (1 - min_contrast):.1f} times are asked."
+        f"The nearest: {a[0]:.1f} to {a[1]:.1f} s and {b[0]:.1f} to {b[1]:.1f} s are {apart} apart, "
+        f"{clear} nearer than their surroundings, where a repeat is {asked:.1f} times nearer."
     )

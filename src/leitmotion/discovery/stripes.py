@@ -23,6 +23,7 @@ import numpy as np
 CORRIDOR_S = 0.13  # paths nearer to one another than this are one stripe
 REACH_S = 1.0  # how far around a moment its amplitude is read
 AMPLITUDE_SHARE = 0.5  # alike: nearer than half of what the body moves around that moment
+REST_SHARE = 0.15  # of the greatest speed nearby: slower is a rest between two movements
 GAP_S = 0.27  # how long a mismatch a path may bridge
 
 
@@ -34,6 +35,9 @@ class Likeness(NamedTuple):
 
     still: np.ndarray
     """(N,) bool: the body keeps still around this moment."""
+
+    moving: np.ndarray
+    """(N,) bool: it moves at this very moment, and is not about to start or at rest between two repeats."""
 
 
 @dataclass(frozen=True)
@@ -92,13 +96,15 @@ def likeness(distances: np.ndarray, rate: float, *, max_distance: float, min_amp
     Returns
     -------
     Likeness
-        Threshold and stillness of each moment.
+        Threshold, stillness and movement of each moment.
     """
     from leitmotion.discovery._kernels import amplitudes
 
     amplitude = amplitudes(distances, round(REACH_S * rate))
     threshold = np.minimum(max_distance, AMPLITUDE_SHARE * amplitude).astype(np.float32)
-    return Likeness(np.maximum(threshold, np.float32(1e-6)), amplitude < min_amplitude)
+    return Likeness(
+        np.maximum(threshold, np.float32(1e-6)), amplitude < min_amplitude, _moving(distances, rate)
+    )
 
 
 def trace_stripes(
@@ -161,13 +167,21 @@ def measure(path: np.ndarray, distances: np.ndarray, alike: Likeness) -> Stripe 
     d = distances[i, j].astype(np.float64)
     gain = 1.0 - d / np.minimum(alike.threshold[i], alike.threshold[j])
     gain[alike.still[i] | alike.still[j]] = -0.1
-    good = np.flatnonzero(gain > 0)
+    good = np.flatnonzero((gain > 0) & alike.moving[i] & alike.moving[j])
     if good.size == 0:
         return None
     keep = slice(good[0], good[-1] + 1)
     path, d, gain = path[keep], d[keep], gain[keep]
     block = distances[path[0, 0] : path[-1, 0] + 1, path[0, 1] : path[-1, 1] + 1]
     return Stripe(path, float(np.nanmean(d)), float(np.nanmedian(block)), float(np.nansum(gain)))
+
+
+def _moving(distances: np.ndarray, rate: float) -> np.ndarray:
+    from scipy.ndimage import maximum_filter1d, uniform_filter1d
+
+    step = np.nan_to_num(np.diagonal(distances, 1))
+    speed = uniform_filter1d(np.concatenate((step[:1], step)), max(1, round(0.1 * rate)))
+    return speed > REST_SHARE * maximum_filter1d(speed, 2 * round(REACH_S * rate) + 1)
 
 
 def part(stripe: Stripe, keep: np.ndarray, distances: np.ndarray, alike: Likeness) -> Stripe | None:

@@ -1,0 +1,184 @@
+"""The default way to find patterns: known movements, what must not change the answer, real recordings."""
+
+import numpy as np
+import pytest
+
+from leitmotion import body, features, io
+from leitmotion.datasets import compose_session
+from leitmotion.discovery import find_patterns
+from leitmotion.discovery.recurrence import letter
+from leitmotion.features import FeatureSequence
+from leitmotion.motion import Motion, ParameterError
+
+
+@pytest.fixture(scope="module")
+def session():
+    return compose_session(seed=0)
+
+
+@pytest.fixture(scope="module")
+def found(session):
+    return search(session.motion)
+
+
+def search(recording, **options):
+    return find_patterns(features.posture(body.embody(recording)), **options)
+
+
+def swings(*counts, pause_s=2.0, period_s=1.0, rate=30.0):
+    """One movement, so many times without a break in each run; the body is still between."""
+    parts = []
+    for count in counts:
+        phase = 2 * np.pi * np.arange(round(count * period_s * rate)) / (period_s * rate)
+        parts.append(np.stack([0.1 * (1 - np.cos(phase + 0.1 * k)) for k in range(9)], axis=1))
+        parts.append(np.tile(parts[-1][0], (round(pause_s * rate), 1)))
+    return FeatureSequence(np.concatenate(parts), ("a", "b", "c"), rate, ("place",), 3)
+
+
+def by_time(patterns):
+    """What was found, without letters: kind, and the start and stop of each occurrence in seconds."""
+    return sorted(
+        (
+            p.kind,
+            tuple(np.round(np.stack((p.occurrences.starts, p.occurrences.stops)) / patterns.rate, 1).ravel()),
+        )
+        for p in patterns.patterns
+    )
+
+
+def times_agree(one, other, within_s=0.15):
+    a, b = by_time(one), by_time(other)
+    assert [(kind, len(times)) for kind, times in a] == [(kind, len(times)) for kind, times in b]
+    for (_, first), (_, second) in zip(a, b, strict=True):
+        np.testing.assert_allclose(first, second, atol=within_s)
+
+
+def test_every_action_of_the_practice_session_is_found_and_nothing_else(session, found):
+    owners = [_owner(pattern, session.stretches) for pattern in found.patterns]
+    assert None not in owners
+    assert set(owners) == set(session.stretches.labels) - {"still"}
+
+
+def _owner(pattern, truth):
+    """The action that at least 80 % of every occurrence belongs to."""
+    owners = set()
+    for start, stop, _, _ in pattern.occurrences:
+        shares = dict.fromkeys(truth.labels, 0.0)
+        for a, b, label, _ in truth:
+            shares[label] += max(0, min(stop, b) - max(start, a)) / (stop - start)
+        label = max(shares, key=shares.get)
+        owners.add(label if shares[label] >= 0.8 else None)
+    return owners.pop() if len(owners) == 1 else None
+
+
+def test_swings_are_counted_in_each_run():
+    patterns = find_patterns(swings(4, 3)).patterns
+    assert [(p.kind, p.cycles, len(p.stretches)) for p in patterns] == [("cyclic", 7, 2)]
+    assert patterns[0].period_s == pytest.approx(1.0, abs=0.05)
+
+
+def test_two_cycles_are_cyclic():
+    (pattern,) = find_patterns(swings(2)).patterns
+    assert (pattern.kind, pattern.cycles) == ("cyclic", 2)
+
+
+def test_a_movement_that_comes_back_later_is_acyclic():
+    (pattern,) = find_patterns(swings(1, 1, pause_s=3.0)).patterns
+    assert (pattern.kind, len(pattern.occurrences)) == ("acyclic", 2)
+
+
+def test_stillness_is_no_pattern_unless_asked_for(rng):
+    held = np.repeat([0.0, 0.4, 0.0], 90)[:, None] + rng.normal(scale=1e-3, size=(270, 9))
+    postures = FeatureSequence(held, ("a", "b", "c"), 30.0, ("place",), 3)
+    assert find_patterns(postures).patterns == ()
+    (pattern,) = find_patterns(postures, stillness=True).patterns
+    assert len(pattern.occurrences) == 2
+
+
+def test_a_movement_made_once_is_no_pattern():
+    once = np.cumsum(np.full((90, 9), 0.01), axis=0)
+    found = find_patterns(FeatureSequence(once, ("a", "b", "c"), 30.0, ("place",), 3))
+    assert found.patterns == ()
+
+
+def test_a_recording_too_short_for_two_stretches_says_so():
+    found = find_patterns(FeatureSequence(np.zeros((20, 3)), ("a",), 30.0, ("place",), 3))
+    assert "too short" in found.nearest_miss
+
+
+@pytest.mark.parametrize("rate", [60.0, 50.0])
+def test_the_answer_is_the_same_at_another_frame_rate(found, rate):
+    again = search(compose_session(seed=0, rate=rate).motion)
+    times_agree(found, again, within_s=0.25)
+
+
+def test_the_answer_is_the_same_for_another_body_size_place_and_direction(session, found):
+    motion = session.motion
+    skeleton = motion.skeleton.replace(
+        offsets=1.3 * motion.skeleton.offsets, end_offsets=1.3 * motion.skeleton.end_offsets
+    )
+    larger = Motion(skeleton, 1.3 * motion.local_positions, motion.local_rotations, motion.rate)
+    times_agree(found, search(larger), within_s=0.05)
+
+
+def test_the_same_input_gives_the_same_answer_to_the_bit(session, found):
+    assert search(session.motion) == found
+
+
+def test_what_is_found_is_well_formed(found):
+    assert [p.id for p in found.patterns] == [letter(k) for k in range(len(found))]
+    for pattern in found.patterns:
+        assert 0 <= pattern.confidence <= 1
+        assert pattern.reason
+    for pair in found.pairs:
+        (pattern,) = [p for p in found.patterns if p.id == pair.pattern]
+        for start, stop in (pair.a, pair.b):
+            inside = sum(max(0, min(stop, b) - max(start, a)) for a, b, _, _ in pattern.stretches)
+            assert inside >= 0.9 * (stop - start)
+        assert (np.diff(pair.path, axis=0) >= 0).all()
+        assert pair.a[0] < pair.b[0]
+
+
+def test_unknown_methods_and_options_are_refused(found):
+    postures = swings(3)
+    with pytest.raises(ParameterError, match="one of recurrence, tang2008"):
+        find_patterns(postures, method="tang")
+    with pytest.raises(ParameterError, match="no option 'treshold'"):
+        find_patterns(postures, treshold=3)
+    with pytest.raises(ParameterError, match="max_distance must be positive"):
+        find_patterns(postures, max_distance=0)
+
+
+@pytest.mark.data
+def test_jumping_jacks(data):
+    (pattern,) = search(io.read(data / "cmu_bvh/jumping_jacks.bvh")).patterns
+    assert (pattern.kind, pattern.cycles) == ("cyclic", 3)
+
+
+@pytest.mark.data
+def test_walks_punches_jumps_and_kicks_of_cmu_86_01(data):
+    motion = io.read(data / "cmu86/86_01.amc")
+    found = search(motion)
+    truth = io.read_annotations(data / "cmu86/mocap.txt", rate=motion.rate, trial="86_01")
+    owners = {pattern.id: _owner(pattern, truth) for pattern in found.patterns}
+    assert sorted(owners.values()) == ["jump", "leg_kick", "punch", "walk"]
+    runs = {owners[p.id]: (p.kind, len(p.stretches)) for p in found.patterns}
+    assert runs == {
+        "walk": ("cyclic", 3),
+        "punch": ("cyclic", 2),
+        "jump": ("cyclic", 1),
+        "leg_kick": ("cyclic", 1),
+    }
+
+
+@pytest.mark.data
+def test_steps_of_a_walk(data):
+    (pattern,) = search(io.read(data / "bandai_namco/dataset-1_walk_normal_001.bvh")).patterns
+    assert pattern.kind == "cyclic"
+    assert pattern.period_s == pytest.approx(1.08, abs=0.06)
+
+
+@pytest.mark.data
+def test_nothing_recurs_when_a_person_lies_down(data):
+    (clip,) = (data / "hdm05/lieDownFloor").glob("*.amc")
+    assert search(io.read(clip)).patterns == ()
