@@ -1,1 +1,91 @@
-"""Leitmotion finds what recurs in human motion."""
+"""Leitmotion finds what recurs in human motion.
+
+>>> import leitmotion as lm
+>>> motion = lm.compose_session(seed=0).motion            # or lm.read("dance.bvh")
+>>> patterns = lm.find_patterns(motion)                   # doctest: +SKIP
+>>> lm.report(motion, "dance.html")                       # doctest: +SKIP
+
+The functions a person types stand here; each question of the field has a room of its own behind them, reached as
+``lm.io``, ``lm.body``, ``lm.features``, ``lm.similarity``, ``lm.discovery``, ``lm.view``. Importing this package
+loads nothing but itself: a name brings its room when it is first used.
+"""
+
+from __future__ import annotations
+
+import importlib
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from leitmotion.api import (
+        Body,
+        BodyMap,
+        DataError,
+        FormatError,
+        Info,
+        LeitmotionError,
+        Motion,
+        ParameterError,
+        Pattern,
+        Patterns,
+        Segmentation,
+        Skeleton,
+        Trajectories,
+        compose_session,
+        embody,
+        find_patterns,
+        find_roles,
+        info,
+        load,
+        read,
+        read_all,
+        read_annotations,
+        report,
+        save,
+        write,
+    )
+
+__version__ = "0.1.0"
+
+__all__ = [
+    "Body",
+    "BodyMap",
+    "DataError",
+    "FormatError",
+    "Info",
+    "LeitmotionError",
+    "Motion",
+    "ParameterError",
+    "Pattern",
+    "Patterns",
+    "Segmentation",
+    "Skeleton",
+    "Trajectories",
+    "compose_session",
+    "embody",
+    "find_patterns",
+    "find_roles",
+    "info",
+    "load",
+    "read",
+    "read_all",
+    "read_annotations",
+    "report",
+    "save",
+    "write",
+]
+
+_ROOMS = frozenset({"body", "datasets", "discovery", "features", "io", "motion", "similarity", "view"})
+
+
+def __getattr__(name: str) -> object:
+    if name in _ROOMS:
+        return importlib.import_module(f"leitmotion.{name}")
+    if name not in __all__:
+        raise AttributeError(f"module 'leitmotion' has no attribute {name!r}")
+    value = getattr(importlib.import_module("leitmotion.api"), name)
+    globals()[name] = value
+    return value
+
+
+def __dir__() -> list[str]:
+    return sorted({*__all__, *_ROOMS, "__version__"})

@@ -1,0 +1,149 @@
+"""One input after another: each is answered or fails in its own place, and the rest go on."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from leitmotion.cli.documents import Document, answer_document, as_line, error_document
+from leitmotion.cli.failures import explain, show_traceback
+from leitmotion.cli.inputs import Input, expand
+from leitmotion.cli.printing import answer_console
+from leitmotion.cli.progress import Progress
+
+if TYPE_CHECKING:
+    from rich.console import Console
+
+    from leitmotion.cli.options import Options
+
+
+@dataclass(frozen=True)
+class Answer:
+    """What a verb found in one input.
+
+    Parameters
+    ----------
+    source : list of dict
+        What was read, as :func:`~leitmotion.cli.documents.source_entry` makes it.
+    result : dict
+        The result of the contract.
+    show : callable
+        Prints it for a person.
+    parameters : mapping
+        What was looked for, and how.
+    warnings : list of str
+        What the person should know about the input.
+    """
+
+    source: list[Document]
+    result: Document
+    show: Callable[[Console], None]
+    parameters: Mapping[str, object] = field(default_factory=dict)
+    warnings: list[str] = field(default_factory=list)
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """What came of all inputs: their documents in the order given, and whether any failed."""
+
+    documents: list[Document]
+    failed: bool
+
+
+Look = Callable[[Input, Progress], Answer]
+
+
+def answer_each(
+    verb: str,
+    arguments: Sequence[str],
+    options: Options,
+    look: Look,
+    *,
+    check: Callable[[list[Input]], None] | None = None,
+) -> Outcome:
+    """Look at every input and print what was found, as sentences or as the documents of the contract.
+
+    Parameters
+    ----------
+    verb : str
+        What is asked.
+    arguments : sequence of str
+        The inputs as typed.
+    options : Options
+        How to answer.
+    look : callable
+        Answers one input; whatever it raises becomes that input's failure, wrong usage excepted.
+    check : callable, optional
+        Looks at the list of inputs before the first is read, and may refuse it as wrong usage.
+
+    Returns
+    -------
+    Outcome
+        The documents, in order, and whether any is a failure.
+    """
+    from leitmotion.io import EXTENSIONS
+
+    searched = tuple(ending for ending, form in EXTENSIONS.items() if form.module)
+    documents: list[Document] = []
+    with expand(arguments, searched) as inputs, Progress(len(inputs), quiet=options.quiet) as progress:
+        if check is not None:
+            check(inputs)
+        for place, given in enumerate(inputs):
+            document, answer = _answer(verb, given, options, look, progress)
+            if document is None:
+                continue
+            documents.append(document)
+            progress.hide()
+            if options.as_json:
+                click.echo(as_line(document))
+            elif answer is not None:
+                _show(given, answer, options, first=place == 0, alone=len(inputs) == 1)
+            progress.step()
+    return Outcome(documents, any("error" in document for document in documents))
+
+
+def _answer(
+    verb: str, given: Input, options: Options, look: Look, progress: Progress
+) -> tuple[Document | None, Answer | None]:
+    try:
+        if given.fault is not None:
+            raise given.fault
+        answer = look(given, progress)
+    except (click.ClickException, click.exceptions.Exit, BrokenPipeError):
+        raise
+    except Exception as error:
+        progress.hide()
+        failure = explain(error)
+        if given.doubtful and failure.type == "FormatError":
+            progress.note(f"Left out of the folder, as no recording: {failure.message}")
+            return None, None
+        if options.traceback:
+            show_traceback(error)
+        if not options.as_json:
+            click.echo(failure.sentence, err=True)
+        return error_document(verb, given, failure), None
+    document = answer_document(
+        verb, answer.source, parameters=answer.parameters, warnings=answer.warnings, result=answer.result
+    )
+    return document, answer
+
+
+def _show(given: Input, answer: Answer, options: Options, *, first: bool, alone: bool) -> None:
+    console = answer_console()
+    if not first:
+        console.print()
+    if not alone:
+        console.print(given.shown, style="bold")
+    answer.show(console)
+    if not options.quiet:
+        for warning in answer.warnings:
+            click.echo(f"Note: {warning}", err=True)
+
+
+def finish(outcome: Outcome) -> Any:
+    """End with status 1 when any input failed."""
+    if outcome.failed:
+        click.get_current_context().exit(1)

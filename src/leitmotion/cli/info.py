@@ -1,0 +1,121 @@
+"""``leitmotion info``: what a recording holds, and what is wrong with it."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING
+
+import click
+
+from leitmotion.cli.batch import Answer, answer_each, finish
+from leitmotion.cli.documents import Document, info_result, source_entry, window_parameter
+from leitmotion.cli.inputs import Input
+from leitmotion.cli.options import Options, as_json, common, examples, output
+from leitmotion.cli.outputs import check_output, write_documents
+from leitmotion.cli.printing import print_table
+from leitmotion.cli.progress import Progress
+
+if TYPE_CHECKING:
+    from rich.console import Console
+
+    from leitmotion.api import Info
+
+TABLES = (".json", ".csv")
+
+
+@click.command(
+    epilog=examples(
+        "leitmotion info dance.bvh",
+        "leitmotion info recordings/ -o recordings.csv",
+    )
+)
+@click.argument("inputs", nargs=-1, required=True, metavar="INPUT...")
+@output("Also write it, by the ending: .json, or .csv with one row per input.")
+@as_json
+@common(comparing=False)
+def info(inputs: tuple[str, ...], options: Options) -> None:
+    """Tell what a recording holds, and what is wrong with it.
+
+    Says of each fact whether the file tells it or it was guessed, and why.
+    """
+
+    def look(given: Input, progress: Progress) -> Answer:
+        from leitmotion.api import info as tell
+
+        progress.say(f"Reading {given.shown}")
+        told = tell(given.source, **options.reading, body_map=options.map_entries())
+        return Answer(
+            source=[source_entry(given, frames=told.frames, rate=told.rate)],
+            parameters=window_parameter(told.window),
+            result=info_result(told),
+            show=lambda console: _show(console, given, told),
+            warnings=list(told.warnings),
+        )
+
+    def check(given: Sequence[Input]) -> None:
+        if options.output is not None:
+            check_output(options.output, given, endings=TABLES, force=True)
+
+    outcome = answer_each("info", inputs, options, look, check=check)
+    if options.output is not None:
+        write_documents(options.output, outcome.documents, _rows)
+    finish(outcome)
+
+
+def _show(console: Console, given: Input, told: Info) -> None:
+    from leitmotion.view.words import plural
+
+    held = plural(len(told.names), "joint" if told.kind == "skeleton" else "point")
+    held = f"a skeleton of {held}" if told.kind == "skeleton" else f"{held} in {told.dimensions} dimensions"
+    length = f"{told.duration:.2f} s, {told.frames:,} frames at {told.rate:g} Hz"
+    console.print(f"{given.shown} holds {held}: {length}.", style="bold")
+    if len(told.people) > 1:
+        console.print(f"It holds {len(told.people)} people: {', '.join(told.people)}. This is the first.")
+    if not told.problems:
+        console.print("No problem found.")
+    for problem in told.problems:
+        console.print(f"Problem: {problem.message} {problem.remedy}".rstrip())
+    console.print()
+    facts = [
+        (what, _value(what, finding.value, told), finding.how, finding.reason)
+        for what, finding in told.findings.items()
+    ]
+    if told.unseen:
+        facts.append(("unseen", f"{told.unseen:.1%}", "read", "share of positions that are missing"))
+    print_table(console, ("", "", "", ""), facts)
+    if told.roles.roles:
+        console.print()
+        rows = zip(told.roles.roles, told.roles.confidence, told.roles.members, strict=True)
+        print_table(
+            console,
+            ("role", ">confidence", "joint or markers"),
+            [(role, f"{sure:.2f}", ", ".join(members)) for role, sure, members in rows],
+        )
+
+
+def _value(what: str, value: object, told: Info) -> str:
+    if value is None:
+        return "unknown"
+    if not isinstance(value, float):
+        return str(value)
+    if what == "facing":
+        return f"{math.degrees(value):.0f}°"
+    if what == "size":
+        return f"{value:.2f} m" if told.findings["unit"].value not in ("px", "relative") else f"{value:.4g}"
+    return f"{value:g} Hz" if what == "rate" else f"{value:g}"
+
+
+def _rows(document: Document) -> Iterator[dict[str, object]]:
+    """One row per input."""
+    source, result = document["source"][0], document["result"]
+    kind = result["kind"]
+    facts = {what: result.get(what, {}).get("value") for what in ("unit", "up", "facing", "size")}
+    yield source | {
+        "kind": kind,
+        "count": result[kind]["count"],
+        "people": len(result["people"]),
+        "roles": len(result["roles"]),
+        **facts,
+        "problems": " ".join(problem["message"] for problem in result["problems"]),
+    }

@@ -1,0 +1,131 @@
+"""Which recordings an argument means: a file, a folder, a window of either, or standard input."""
+
+from __future__ import annotations
+
+import contextlib
+import hashlib
+import os
+import shutil
+import sys
+import tempfile
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from leitmotion.motion import LeitmotionError
+
+DOUBTFUL = (".csv", ".json", ".npz", ".tsv", ".txt")
+"""Endings that a recording may have, and much else: in a folder such a file may be something else."""
+
+
+@dataclass(frozen=True)
+class Input:
+    """One recording that a command is to look at.
+
+    Parameters
+    ----------
+    shown : str
+        What it is called in every answer: the path as typed or found, with its window; ``-`` for standard input.
+    path : Path
+        Where its bytes are.
+    window : str
+        The window as typed, ``"[12s:45s]"``, or nothing.
+    doubtful : bool
+        Whether it was found in a folder and may be no recording at all.
+    fault : LeitmotionError or None
+        Why there is nothing to look at, known before reading.
+    """
+
+    shown: str
+    path: Path
+    window: str = ""
+    doubtful: bool = False
+    fault: LeitmotionError | None = None
+
+    @property
+    def source(self) -> str:
+        """What a reader takes: the path with its window."""
+        return f"{self.path}{self.window}"
+
+    @property
+    def name(self) -> str:
+        """What a file made from it is called, without ending."""
+        return "stdin" if self.shown == "-" else self.path.stem
+
+    def sha256(self) -> str:
+        """Return the checksum of the file's bytes, in hexadecimal."""
+        with self.path.open("rb") as file:
+            return hashlib.file_digest(file, "sha256").hexdigest()
+
+
+@contextlib.contextmanager
+def expand(arguments: Sequence[str], extensions: Sequence[str]) -> Iterator[list[Input]]:
+    """Say which recordings the arguments of a command line mean, in the order given.
+
+    Parameters
+    ----------
+    arguments : sequence of str
+        Files, folders (searched through, their files in alphabetical order), either with a window, or ``-``.
+    extensions : sequence of str
+        The endings that a recording may have, lower case with the dot; what a folder is searched for.
+
+    Yields
+    ------
+    list of Input
+        One per recording. A folder without recordings is one input with a fault, so that it stands in the answer.
+        A temporary copy of standard input lives as long as the context.
+    """
+    from leitmotion.io.sources import split_window
+
+    with contextlib.ExitStack() as stack:
+        inputs: list[Input] = []
+        for argument in arguments:
+            path, ends = split_window(argument)
+            window = "" if ends is None else f"[{ends[0]}:{ends[1]}]"
+            if str(path) == "-":
+                inputs.append(Input(argument, stack.enter_context(_standard_input()), window))
+            elif path.is_dir():
+                inputs += _in_folder(path, window, argument, extensions)
+            else:
+                inputs.append(Input(argument, path, window))
+        yield inputs
+
+
+def _in_folder(folder: Path, window: str, argument: str, extensions: Sequence[str]) -> list[Input]:
+    from leitmotion.motion import DataError
+
+    unreadable: list[OSError] = []
+    found: list[Path] = []
+    for where, folders, names in os.walk(folder, onerror=unreadable.append):
+        folders[:] = sorted(name for name in folders if not name.startswith("."))
+        found += [
+            Path(where) / name
+            for name in sorted(names)
+            if not name.startswith(".") and Path(name).suffix.lower() in extensions
+        ]
+    inputs = [
+        Input(f"{path}{window}", path, window, doubtful=path.suffix.lower() in DOUBTFUL) for path in found
+    ]
+    for error in unreadable:
+        closed = Path(os.fsdecode(error.filename))
+        inputs.append(Input(str(closed), closed, fault=DataError(f"{closed}: {error.strerror}.")))
+    if not inputs:
+        looked_for = ", ".join(sorted(extensions))
+        fault = DataError(
+            f"{argument} holds no recordings.",
+            remedy=f"It was searched through for files ending in {looked_for}.",
+        )
+        inputs.append(Input(argument, folder, window, fault=fault))
+    return inputs
+
+
+@contextlib.contextmanager
+def _standard_input() -> Iterator[Path]:
+    """Keep a copy of standard input as a file without ending: its format is told by how it begins."""
+    with tempfile.TemporaryDirectory(prefix="leitmotion-") as folder:
+        copy = Path(folder) / "stdin"
+        with copy.open("wb") as file:
+            shutil.copyfileobj(sys.stdin.buffer, file)
+        yield copy

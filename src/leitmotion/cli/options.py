@@ -1,0 +1,182 @@
+"""The options that every verb takes, gathered into one value each."""
+
+from __future__ import annotations
+
+import functools
+import json
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import click
+
+from leitmotion.cli.failures import show_traceback
+
+
+@dataclass(frozen=True)
+class Options:
+    """What was asked for beside the verb and its inputs.
+
+    Parameters
+    ----------
+    skeleton, unit, up, rate, person : str, float or None
+        How to read: what the file does not say, or says wrongly.
+    body_map : Path or None
+        A JSON file that names the joint or markers of each role.
+    joints, exclude : tuple of str
+        Which roles to compare, and which to leave out.
+    as_json, quiet, traceback, force : bool
+        How to answer.
+    output : Path or None
+        Where to write.
+    """
+
+    skeleton: str | None = None
+    unit: str | None = None
+    up: str | None = None
+    rate: float | None = None
+    person: str | None = None
+    body_map: Path | None = None
+    joints: tuple[str, ...] = ()
+    exclude: tuple[str, ...] = ()
+    as_json: bool = False
+    quiet: bool = False
+    traceback: bool = False
+    force: bool = False
+    output: Path | None = None
+
+    @property
+    def reading(self) -> dict[str, Any]:
+        """The keyword arguments that every reader takes."""
+        return {
+            "skeleton": self.skeleton,
+            "unit": self.unit,
+            "up": self.up,
+            "rate": self.rate,
+            "person": self.person,
+        }
+
+    def map_entries(self) -> Mapping[str, Any] | None:
+        """Read the map file, None when none was given."""
+        if self.body_map is None:
+            return None
+        try:
+            entries = json.loads(self.body_map.read_text(encoding="utf-8"))
+        except (ValueError, OSError) as error:
+            raise click.BadParameter(f"cannot read {self.body_map}: {error}", param_hint="--map") from error
+        if not isinstance(entries, dict):
+            raise click.BadParameter(
+                f'{self.body_map} must hold an object such as {{"left_knee": "LKnee"}}.', param_hint="--map"
+            )
+        return entries
+
+
+def _names(ctx: click.Context, param: click.Parameter, value: tuple[str, ...]) -> tuple[str, ...]:
+    """Split what was given at commas: ``--joints head,neck --joints pelvis`` is three names."""
+    return tuple(name.strip() for given in value for name in given.split(",") if name.strip())
+
+
+_READING = (
+    click.option("--person", metavar="NAME", help="Which person of a file that holds several."),
+    click.option("--skeleton", metavar="FILE", help="The ASF file of an AMC, when it is not beside it."),
+    click.option(
+        "--unit", metavar="UNIT", help="Unit of length: m, cm, mm, inch, … when the file does not tell."
+    ),
+    click.option(
+        "--up", metavar="AXIS", help="The axis that points up: y or z, when the file does not tell."
+    ),
+    click.option("--rate", type=float, metavar="HZ", help="Frames per second, when the file does not tell."),
+    click.option(
+        "--map",
+        "body_map",
+        type=click.Path(exists=True, dir_okay=False, path_type=Path),
+        help='JSON file that names the joint or markers of each role: {"left_knee": "LKnee", …}.',
+    ),
+)
+_COMPARING = (
+    click.option(
+        "--joints",
+        multiple=True,
+        callback=_names,
+        metavar="ROLES",
+        help="Compare only these roles; with wildcards, as in 'left_*,head'. `info` lists them.",
+    ),
+    click.option("--exclude", multiple=True, callback=_names, metavar="ROLES", help="Leave these roles out."),
+)
+_ANSWERING = (
+    click.option("--quiet", "-q", is_flag=True, help="No progress and no remarks; the answer alone."),
+    click.option(
+        "--traceback",
+        is_flag=True,
+        envvar="LEITMOTION_TRACEBACK",
+        help="Show where in the program an error arose.",
+    ),
+)
+force = click.option("--force", is_flag=True, help="Replace an .html file that Leitmotion did not write.")
+method = click.option(
+    "--method",
+    type=click.Choice(["recurrence", "tang2008"]),
+    default="recurrence",
+    show_default=True,
+    help="How to search: with nothing to set, or as Tang et al. (2008) describe it.",
+)
+as_json = click.option(
+    "--json", "as_json", is_flag=True, help="Print one JSON document per input, one per line."
+)
+
+
+def common(*, comparing: bool = True) -> Callable[[Callable[..., Any]], Callable[..., Any]]:
+    """Give a command the options that every verb takes, passed on as one :class:`Options`.
+
+    Parameters
+    ----------
+    comparing : bool
+        Whether the verb compares postures, so that its joints may be chosen.
+
+    Returns
+    -------
+    callable
+        A decorator; the command it makes receives ``options`` instead of the single values.
+    """
+    wanted = _READING + (_COMPARING if comparing else ()) + _ANSWERING
+
+    def decorate(command: Callable[..., Any]) -> Callable[..., Any]:
+        @functools.wraps(command)
+        def gathered(**given: Any) -> Any:
+            fields = {name: given.pop(name) for name in Options.__dataclass_fields__ if name in given}
+            options = Options(**fields)
+            try:
+                return command(options=options, **given)
+            except (click.ClickException, click.exceptions.Exit):
+                raise
+            except Exception as error:
+                if options.traceback:
+                    show_traceback(error)
+                raise
+
+        made: Callable[..., Any] = gathered
+        for option in reversed(wanted):
+            made = option(made)
+        return made
+
+    return decorate
+
+
+def output(what: str, *, folder: bool = False) -> Callable[[Callable[..., Any]], Callable[..., Any]]:
+    """Give a command the option ``-o``.
+
+    Parameters
+    ----------
+    what : str
+        What it says in the help.
+    folder : bool
+        Whether a folder will do.
+    """
+    kind = click.Path(dir_okay=folder, path_type=Path)
+    return click.option("-o", "--output", type=kind, metavar="OUT", help=what)
+
+
+def examples(*lines: str) -> str:
+    """Make the end of a command's help: what one may type, each on a line of its own."""
+    return "\b\nFor example:\n" + "\n".join(f"  {line}" for line in lines)

@@ -1,0 +1,113 @@
+"""Where an answer is written: by its ending, whole or not at all, and never over something precious."""
+
+from __future__ import annotations
+
+import csv
+import io as text_io
+import json
+import os
+import sys
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+import click
+
+from leitmotion.cli.documents import Document
+from leitmotion.cli.inputs import Input
+
+OURS = b'name="generator" content="Leitmotion'
+"""Stands near the start of every page that Leitmotion writes."""
+
+Rows = Callable[[Document], Iterable[Mapping[str, object]]]
+
+
+def check_output(path: Path, inputs: Sequence[Input], *, endings: Sequence[str], force: bool) -> None:
+    """Refuse, before any work, an output that could not or should not be written.
+
+    Parameters
+    ----------
+    path : Path
+        The file to be written.
+    inputs : sequence of Input
+        What is read; none of it is ever written over.
+    endings : sequence of str
+        The endings that the verb writes.
+    force : bool
+        Whether a page that Leitmotion did not write may be replaced.
+
+    Raises
+    ------
+    click.UsageError
+        When the ending is none of these, or the file is an input or somebody else's page.
+    """
+    if path.suffix.lower() not in endings:
+        raise click.UsageError(
+            f"Cannot tell what to write from {path.name!r}: end it in {', '.join(endings)}."
+        )
+    if not path.exists():
+        return
+    if any(given.path.exists() and path.samefile(given.path) for given in inputs):
+        raise click.UsageError(f"{path} is an input, and inputs are never written over.")
+    if path.suffix.lower() == ".html" and not force and not _is_ours(path):
+        raise click.UsageError(f"{path} exists, and Leitmotion did not write it. Replace it with --force.")
+
+
+def write_documents(path: Path, documents: list[Document], rows: Rows) -> None:
+    """Write what was found: as JSON (one document, or the list of them), or as one table.
+
+    Parameters
+    ----------
+    path : Path
+        Ends in .json or .csv.
+    documents : list of dict
+        The documents of the contract, in order.
+    rows : callable
+        Gives the rows of the table that one result stands for.
+    """
+    from leitmotion.io import write_whole
+
+    if path.suffix.lower() == ".json":
+        held = documents[0] if len(documents) == 1 else documents
+        write_whole(path, json.dumps(held, indent=1, allow_nan=False) + "\n")
+    else:
+        write_whole(
+            path, _table([row for document in documents if "result" in document for row in rows(document)])
+        )
+
+
+def open_page(page: Path) -> bool:
+    """Show a page in the browser, when this machine has a screen.
+
+    Parameters
+    ----------
+    page : Path
+        An HTML file.
+
+    Returns
+    -------
+    bool
+        Whether a browser was asked to.
+    """
+    screen = sys.platform in ("win32", "darwin") or any(
+        os.environ.get(name) for name in ("DISPLAY", "WAYLAND_DISPLAY", "WSL_DISTRO_NAME")
+    )
+    if not screen:
+        return False
+    import webbrowser
+
+    return webbrowser.open(page.resolve().as_uri())
+
+
+def _is_ours(path: Path) -> bool:
+    with path.open("rb") as file:
+        return OURS in file.read(4096)
+
+
+def _table(rows: Sequence[Mapping[str, Any]]) -> str:
+    out = text_io.StringIO()
+    if rows:
+        writer = csv.DictWriter(out, fieldnames=list(rows[0]), lineterminator="\n")
+        writer.writeheader()
+        writer.writerows(rows)
+    return out.getvalue()

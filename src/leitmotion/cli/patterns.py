@@ -1,0 +1,160 @@
+"""``leitmotion patterns``: find what recurs in a recording."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
+
+from leitmotion.cli.batch import Answer, answer_each, finish
+from leitmotion.cli.documents import Document, patterns_result
+from leitmotion.cli.inputs import Input
+from leitmotion.cli.options import Options, as_json, common, examples, force, method, output
+from leitmotion.cli.outputs import check_output, write_documents
+from leitmotion.cli.printing import print_table
+from leitmotion.cli.progress import Progress, compiling_noted
+from leitmotion.cli.recordings import Opened, open_one
+
+if TYPE_CHECKING:
+    from rich.console import Console
+
+    from leitmotion.api import Patterns
+
+TABLES = (".json", ".csv")
+PICTURES = (".png", ".svg", ".pdf")
+OF_ONE = (".html", ".npz", *PICTURES)
+"""Endings of what shows a single recording."""
+
+
+@click.command(
+    epilog=examples(
+        "leitmotion patterns dance.bvh",
+        "leitmotion patterns dance.bvh[12s:45s] -o dance.csv",
+        "leitmotion patterns recordings/ --json",
+    )
+)
+@click.argument("inputs", nargs=-1, required=True, metavar="INPUT...")
+@method
+@output(
+    "Also write what was found, by the ending: .json or .csv; of one input .html, .png, .svg, .pdf or .npz."
+)
+@force
+@as_json
+@common()
+def patterns(inputs: tuple[str, ...], method: str, options: Options) -> None:
+    """Find what recurs in a recording."""
+
+    def look(given: Input, progress: Progress) -> Answer:
+        opened = open_one(given, options, progress)
+        found = search(opened, method, options, progress)
+        if options.output is not None and options.output.suffix.lower() in OF_ONE:
+            progress.say(f"Writing {options.output}")
+            _write_one(options.output, opened, found, options)
+        return Answer(
+            source=opened.source,
+            result=patterns_result(found),
+            show=lambda console: show_patterns(console, found, seconds=opened.source[0]["seconds"]),
+            parameters=found.parameters | opened.parameters,
+            warnings=opened.warnings,
+        )
+
+    def check(given: Sequence[Input]) -> None:
+        if options.output is None:
+            return
+        check_output(options.output, given, endings=TABLES + OF_ONE, force=options.force)
+        if len(given) > 1 and options.output.suffix.lower() in OF_ONE:
+            raise click.UsageError(
+                f"{options.output.name} shows one recording, but there are {len(given)}. Write a .csv or .json of "
+                "them all, or a page of each: leitmotion report INPUT... -o FOLDER."
+            )
+
+    outcome = answer_each("patterns", inputs, options, look, check=check)
+    if options.output is not None and options.output.suffix.lower() in TABLES:
+        write_documents(options.output, outcome.documents, _rows)
+    finish(outcome)
+
+
+def search(opened: Opened, method: str, options: Options, progress: Progress) -> Patterns:
+    """Find what recurs in a recording that is open, telling what goes on."""
+    from leitmotion.api import find_patterns
+
+    progress.say(f"Looking for what recurs in {opened.source[0]['path']}")
+    with compiling_noted(progress):
+        return find_patterns(opened.body, method=method, joints=options.joints, exclude=options.exclude)
+
+
+def show_patterns(console: Console, found: Patterns, *, seconds: float) -> None:
+    """Print what recurs: the answer in a sentence, then a row for each pattern.
+
+    Parameters
+    ----------
+    console : Console
+        Where to print.
+    found : Patterns
+        What recurs.
+    seconds : float
+        Length of the recording.
+    """
+    from leitmotion.view.words import clock, lead, looked_for, title
+
+    pieces = lead(found, seconds)
+    console.print(f"{title(found)}.", style="bold")
+    console.print("".join(piece if isinstance(piece, str) else piece.id for piece in pieces))
+    if not found.patterns:
+        if found.nearest_miss:
+            console.print(found.nearest_miss)
+        console.print(looked_for(found), style="dim")
+        return
+    console.print()
+    print_table(
+        console,
+        ("", "kind", ">stretches", ">cycles", ">each", ">confidence", "from and to"),
+        [
+            (
+                pattern.id,
+                pattern.kind,
+                str(len(pattern.stretches)),
+                str(pattern.cycles) if pattern.cycles else "",
+                f"{pattern.period_s:.2f} s",
+                f"{pattern.confidence:.2f}",
+                ", ".join(
+                    f"{clock(start / found.rate)}–{clock(stop / found.rate)}"
+                    for start, stop, _, _ in pattern.stretches
+                ),
+            )
+            for pattern in found.patterns
+        ],
+    )
+
+
+def _write_one(path: Path, opened: Opened, found: Patterns, options: Options) -> None:
+    from leitmotion.api import report, save
+
+    ending = path.suffix.lower()
+    if ending == ".npz":
+        save(found, path)
+    elif ending == ".html":
+        report(
+            opened.body,
+            path,
+            patterns=found,
+            source=opened.source[0],
+            joints=options.joints,
+            exclude=options.exclude,
+        )
+    else:
+        from leitmotion.view import plot_patterns
+
+        plot_patterns(opened.body, found).savefig(path)
+
+
+def _rows(document: Document) -> Iterator[dict[str, object]]:
+    """One row per occurrence."""
+    path = document["source"][0]["path"]
+    for pattern in document["result"]["patterns"]:
+        about = {name: pattern[name] for name in ("kind", "cycles", "period_s", "cost", "confidence")}
+        for place, occurrence in enumerate(pattern["occurrences"], start=1):
+            times = {name: occurrence[name] for name in ("start", "stop", "start_s", "stop_s", "score")}
+            yield {"path": path, "pattern": pattern["id"], "occurrence": place} | times | about

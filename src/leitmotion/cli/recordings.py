@@ -1,0 +1,70 @@
+"""The one recording that an input holds, read as the options say."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, NamedTuple
+
+from leitmotion.cli.documents import Document, source_entry, window_parameter
+from leitmotion.cli.inputs import Input
+from leitmotion.cli.options import Options
+from leitmotion.cli.progress import Progress
+
+if TYPE_CHECKING:
+    from leitmotion.api import Body, Motion, Trajectories
+
+
+class Opened(NamedTuple):
+    """One person's recording, and what the answer says about where it comes from."""
+
+    recording: Motion | Trajectories
+    body: Body
+    source: list[Document]
+    first_frame: int
+    parameters: dict[str, object]
+    warnings: list[str]
+
+
+def open_one(given: Input, options: Options, progress: Progress) -> Opened:
+    """Read the one person that a verb looks at.
+
+    Parameters
+    ----------
+    given : Input
+        What to read.
+    options : Options
+        How to read it, and which joints stand for which role.
+    progress : Progress
+        Told what is being done.
+
+    Returns
+    -------
+    Opened
+        The recording, its body, and its entry in the answer.
+
+    Raises
+    ------
+    DataError
+        When the file holds several people and none was chosen.
+    """
+    from leitmotion.body import embody, map_from
+    from leitmotion.io import open_recording
+    from leitmotion.motion import DataError
+
+    progress.say(f"Reading {given.shown}")
+    reading = open_recording(given.source, **options.reading)
+    if len(reading.recordings) != 1:
+        raise DataError(
+            f"{given.shown} holds {len(reading.recordings)} people: {', '.join(reading.people)}.",
+            remedy="Choose one with --person NAME.",
+        )
+    recording = reading.recordings[0]
+    entries = options.map_entries()
+    body = embody(recording, None if entries is None else map_from(entries, recording))
+    return Opened(
+        recording=recording,
+        body=body,
+        source=[source_entry(given, frames=len(recording), rate=recording.rate)],
+        first_frame=0 if reading.window is None else reading.window[0],
+        parameters=window_parameter(reading.window),
+        warnings=list(reading.warnings),
+    )

@@ -1,0 +1,125 @@
+"""``leitmotion report``: write the page that shows what recurs."""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
+
+from leitmotion.cli.batch import Answer, answer_each, finish
+from leitmotion.cli.documents import patterns_result
+from leitmotion.cli.inputs import Input
+from leitmotion.cli.options import Options, as_json, common, examples, force, method, output
+from leitmotion.cli.outputs import check_output, open_page
+from leitmotion.cli.patterns import search
+from leitmotion.cli.progress import Progress
+from leitmotion.cli.recordings import Opened, open_one
+
+if TYPE_CHECKING:
+    from leitmotion.api import Segmentation
+
+
+@click.command(
+    epilog=examples(
+        "leitmotion report dance.bvh --open",
+        "leitmotion report recordings/ -o pages/",
+    )
+)
+@click.argument("inputs", nargs=-1, required=True, metavar="INPUT...")
+@output(
+    "The page to write, or a folder for pages of several inputs. By default NAME.html in the current folder.",
+    folder=True,
+)
+@click.option(
+    "--labels",
+    type=click.Path(exists=True, dir_okay=False, path_type=Path),
+    metavar="FILE",
+    help="Labels from elsewhere (.csv, .json, .txt), shown in a lane of their own.",
+)
+@method
+@click.option("--open", "open_it", is_flag=True, help="Open the page in the browser.")
+@force
+@as_json
+@common()
+def report(
+    inputs: tuple[str, ...],
+    labels: Path | None,
+    method: str,
+    open_it: bool,
+    options: Options,
+) -> None:
+    """Write the page that shows what recurs.
+
+    One HTML file that opens in any browser, needs nothing beside it, and sends nothing anywhere.
+    """
+    pages: dict[str, Path] = {}
+
+    def check(given: Sequence[Input]) -> None:
+        pages.update(_pages(given, options.output))
+        if labels is not None and len(given) > 1:
+            raise click.UsageError(f"--labels belongs to one recording, but there are {len(given)}.")
+        for page in pages.values():
+            check_output(page, given, endings=(".html",), force=options.force)
+
+    def look(given: Input, progress: Progress) -> Answer:
+        from leitmotion.api import report as write_report
+        from leitmotion.view.words import title
+
+        opened = open_one(given, options, progress)
+        found = search(opened, method, options, progress)
+        page = pages[given.shown]
+        progress.say(f"Writing {page}")
+        write_report(
+            opened.body,
+            page,
+            labels=None if labels is None else _read_labels(labels, opened),
+            labels_from="" if labels is None else labels.name,
+            patterns=found,
+            source=opened.source[0],
+            joints=options.joints,
+            exclude=options.exclude,
+        )
+        if open_it and not open_page(page):
+            progress.note("There is no screen here to open the page on.")
+        return Answer(
+            source=opened.source,
+            result=patterns_result(found) | {"written": str(page)},
+            show=lambda console: console.print(f"{title(found)}. Open {page}"),
+            parameters=found.parameters | opened.parameters,
+            warnings=opened.warnings,
+        )
+
+    finish(answer_each("report", inputs, options, look, check=check))
+
+
+def _read_labels(path: Path, opened: Opened) -> Segmentation:
+    """Read labels of the whole file, and keep those of the window that was read."""
+    from leitmotion.api import Segmentation, read_annotations
+
+    labels = read_annotations(path, rate=opened.recording.rate, trial=opened.recording.name)
+    first, frames = opened.first_frame, len(opened.recording)
+    inside = (labels.starts < first + frames) & (labels.stops > first)
+    return Segmentation(
+        starts=(labels.starts[inside] - first).clip(min=0),
+        stops=(labels.stops[inside] - first).clip(max=frames),
+        labels=tuple(label for label, kept in zip(labels.labels, inside, strict=True) if kept),
+        scores=labels.scores[inside],
+        rate=labels.rate,
+    )
+
+
+def _pages(inputs: Sequence[Input], output: Path | None) -> dict[str, Path]:
+    """Say which page each input is written to; two inputs of one name get pages of two names."""
+    if output is not None and len(inputs) == 1 and output.suffix and not output.is_dir():
+        return {inputs[0].shown: output}
+    if output is not None and output.exists() and not output.is_dir():
+        raise click.UsageError(f"{output} is a file, but {len(inputs)} pages need a folder.")
+    pages: dict[str, Path] = {}
+    for given in inputs:
+        names = itertools.chain((given.name,), (f"{given.name}-{count}" for count in itertools.count(2)))
+        candidates = ((output or Path()) / f"{name}.html" for name in names)
+        pages.setdefault(given.shown, next(page for page in candidates if page not in pages.values()))
+    return pages

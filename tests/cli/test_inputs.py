@@ -1,0 +1,90 @@
+"""Which recordings an argument means."""
+
+import hashlib
+import io
+import os
+import sys
+from pathlib import Path
+from types import SimpleNamespace
+
+import pytest
+
+from leitmotion.cli.inputs import Input, expand
+
+ENDINGS = (".bvh", ".amc", ".csv")
+
+
+@pytest.fixture
+def folder(tmp_path: Path) -> Path:
+    for name in ("b.bvh", "A.BVH", "deep/er/c.amc", "deep/a.bvh", ".hidden/d.bvh", ".e.bvh", "notes.md", "labels.csv"):
+        path = tmp_path / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text("x", encoding="utf-8")
+    return tmp_path
+
+
+def shown(*arguments: str) -> list[str]:
+    with expand(arguments, ENDINGS) as inputs:
+        return [given.shown for given in inputs]
+
+
+def test_files_stay_in_the_order_given_even_when_they_are_not_there() -> None:
+    assert shown("z.bvh", "a.bvh", "z.bvh") == ["z.bvh", "a.bvh", "z.bvh"]
+
+
+def test_a_folder_is_searched_through_in_alphabetical_order_without_what_is_hidden(folder: Path) -> None:
+    names = ["A.BVH", "b.bvh", "labels.csv", "deep/a.bvh", "deep/er/c.amc"]
+    assert shown(str(folder)) == [str(folder / name) for name in names]
+
+
+def test_only_what_may_be_something_else_is_doubtful(folder: Path) -> None:
+    with expand([str(folder), str(folder / "labels.csv")], ENDINGS) as inputs:
+        assert [given.path.name for given in inputs if given.doubtful] == ["labels.csv"]
+        assert not inputs[-1].doubtful
+
+
+def test_a_window_of_a_folder_is_a_window_of_each_file(folder: Path) -> None:
+    assert shown(f"{folder / 'deep'}[1s:2s]") == [
+        f"{folder / 'deep' / 'a.bvh'}[1s:2s]",
+        f"{folder / 'deep' / 'er' / 'c.amc'}[1s:2s]",
+    ]
+
+
+def test_a_window_of_a_file_is_kept_for_its_reader() -> None:
+    with expand(["clip.bvh[100:400]"], ENDINGS) as inputs:
+        assert inputs == [Input("clip.bvh[100:400]", Path("clip.bvh"), "[100:400]")]
+        assert inputs[0].source == "clip.bvh[100:400]"
+        assert inputs[0].name == "clip"
+
+
+def test_a_folder_without_recordings_stands_in_the_answer_with_its_fault(tmp_path: Path) -> None:
+    (tmp_path / "notes.md").touch()
+    with expand([str(tmp_path)], ENDINGS) as inputs:
+        assert len(inputs) == 1
+        assert inputs[0].fault is not None
+        assert "holds no recordings" in inputs[0].fault.message
+        assert ".amc, .bvh, .csv" in inputs[0].fault.remedy
+
+
+@pytest.mark.skipif(os.name == "nt" or os.geteuid() == 0, reason="root may read everything")
+def test_a_folder_that_may_not_be_read_is_told(folder: Path) -> None:
+    closed = folder / "deep"
+    closed.chmod(0)
+    try:
+        with expand([str(folder)], ENDINGS) as inputs:
+            faults = [given.fault.message for given in inputs if given.fault is not None]
+    finally:
+        closed.chmod(0o755)
+    assert faults == [f"{closed}: Permission denied."]
+
+
+def test_standard_input_is_a_copy_that_goes_away(monkeypatch: pytest.MonkeyPatch) -> None:
+    content = b"HIERARCHY\nROOT Hips"
+    monkeypatch.setattr(sys, "stdin", SimpleNamespace(buffer=io.BytesIO(content)))
+    with expand(["-"], ENDINGS) as inputs:
+        assert [given.shown for given in inputs] == ["-"]
+        assert inputs[0].path.read_bytes() == content
+        assert inputs[0].sha256() == hashlib.sha256(content).hexdigest()
+        assert inputs[0].name == "stdin"
+        copy = inputs[0].path
+    assert not copy.exists()
