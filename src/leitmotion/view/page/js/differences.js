@@ -1,0 +1,88 @@
+// What stands beside the figure: L and R at the hands, or how far the joints of a pair are apart.
+
+const NAMED = 3;
+const THIN = 3;
+const WORTH_NAMING = clip.metres ? 0.03 : 0.02 * clip.height;
+
+function label(pen, text, x, y, colour, { align = "left", size = 13, weight = 600 } = {}) {
+  pen.font = `${weight} ${size}px ${theme.font}`;
+  pen.textAlign = align;
+  pen.textBaseline = "middle";
+  pen.lineJoin = "round";
+  pen.strokeStyle = theme.tokens.surface;
+  pen.lineWidth = 4;
+  pen.strokeText(text, x, y);
+  pen.fillStyle = colour;
+  pen.fillText(text, x, y);
+}
+
+function drawSides(pen, camera) {
+  const hands = ["left", "right"].map((side) => {
+    const tip = TIPS.find((t) => t.side === side && /hand|wrist/.test(t.role));
+    const [hand, elbow] = [tip && pointOf(posture, tip.role), pointOf(posture, `${side}_elbow`)];
+    if (!known(hand, elbow)) return null;
+    const [h, e] = [hand, elbow].map((p) => project(camera, p[0], p[1], p[2], {}));
+    const length = Math.hypot(h.x - e.x, h.y - e.y) || 1;
+    return { side, x: h.x + (12 * (h.x - e.x)) / length, y: h.y + (12 * (h.y - e.y)) / length };
+  });
+  const [l, r] = hands;
+  if (l && r && Math.hypot(l.x - r.x, l.y - r.y) < 15) {
+    const [low, high] = l.x < r.x ? [l, r] : [r, l];
+    low.x -= 8;
+    high.x += 8;
+  }
+  for (const hand of hands) {
+    if (!hand) continue;
+    const colour = hand.side === "left" ? theme.tokens.left : theme.tokens.ink;
+    label(pen, hand.side === "left" ? "L" : "R", hand.x, hand.y, colour, { align: "center", size: 11.5 });
+  }
+}
+
+// Joint to joint, filled at 1 and hollow at 2; the three largest with a name and a number, three more thin.
+function drawDifferences(pen, camera, pair) {
+  const { joints } = compare(pair.one, pair.two);
+  const end = (body, r) => project(camera, body[3 * r], body[3 * r + 1], body[3 * r + 2], {});
+  const lines = joints.slice(0, NAMED + THIN).map((joint, rank) => ({
+    ...joint, a: end(posture, joint.index), b: end(placed, joint.index),
+    named: rank < NAMED && joint.apart >= WORTH_NAMING,
+  }));
+  for (const line of [...lines].reverse()) drawDifference(pen, line);
+  const middle = project(camera, ...rootOf(posture), {}).x;
+  const taken = [];
+  for (const line of lines) if (line.named) nameDifference(pen, line, middle, taken);
+}
+
+function drawDifference(pen, { a, b, named }) {
+  const [r, width] = named ? [4.2, 2.2] : [2.6, 1.1];
+  pen.globalAlpha = named ? 1 : 0.7;
+  pen.strokeStyle = pen.fillStyle = theme.tokens.diff;
+  pen.lineWidth = width;
+  pen.beginPath();
+  pen.moveTo(a.x, a.y);
+  pen.lineTo(b.x, b.y);
+  pen.stroke();
+  disc(pen, a.x, a.y, r);
+  pen.fill();
+  disc(pen, b.x, b.y, r - width / 2 + 0.4);
+  pen.fillStyle = theme.tokens.surface;
+  pen.fill();
+  pen.lineWidth = named ? 1.8 : 1.1;
+  pen.stroke();
+  pen.globalAlpha = 1;
+}
+
+// The name stands on the side away from the body, moved down until it covers no other.
+function nameDifference(pen, line, middle, taken) {
+  const text = `${line.word} ${apartWhole(line.apart)}`;
+  pen.font = `600 13px ${theme.font}`;
+  const width = pen.measureText(text).width;
+  const onRight = (line.a.x + line.b.x) / 2 >= middle;
+  let x = onRight ? Math.max(line.a.x, line.b.x) + 12 : Math.min(line.a.x, line.b.x) - 12 - width;
+  x = clamp(x, 6, Math.max(stage.width - width - 6, 6));
+  const wanted = onRight === line.b.x > line.a.x ? line.b.y : line.a.y;
+  const free = (y) => taken.every((t) => Math.abs(t.y - y) >= 18 || t.x > x + width + 4 || x > t.x + t.width + 4);
+  let y = clamp(wanted, 50, stage.height - 14);
+  for (let k = 1; k < 24 && !free(y); k++) y = clamp(wanted + (k % 2 ? 1 : -1) * Math.ceil(k / 2) * 9, 50, stage.height - 14);
+  taken.push({ x, y, width });
+  label(pen, text, x, y, theme.tokens.diff);
+}

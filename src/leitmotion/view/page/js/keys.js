@@ -1,0 +1,39 @@
+// Every pointer action has a key.
+
+addEventListener("keydown", (event) => {
+  if (event.defaultPrevented || event.ctrlKey || event.metaKey || event.altKey) return;
+  if (event.target.closest("input, textarea")) return;
+  const key = event.key;
+  const letter = key.length === 1 ? key.toUpperCase() : "";
+  const chosen = patterns.findIndex((p) => p.id === letter);
+  const onButton = event.target.closest("button");
+  if (key === " " && !onButton) togglePlay();
+  else if (key === "ArrowLeft" || key === "ArrowRight") {
+    const way = key === "ArrowLeft" ? -1 : 1;
+    stepBy(way * (event.shiftKey ? 1 : 1 / clip.rate));
+  } else if (key === "Escape") escape();
+  else if (key === "[" || key === "]") setSpeed(key === "[" ? -1 : 1);
+  else if (CAMERAS[Number(key) - 1]) setCamera(CAMERAS[Number(key) - 1]);
+  else if (key === "?") toggleHelp();
+  else if (letter === "M") tellSymmetry();
+  else if (letter && "ABCDEFGH".includes(letter) && chosen >= 0) choosePattern(chosen);
+  else if (event.target === stage.canvas && (key === "+" || key === "-")) zoomCamera(key === "+" ? 1.1 : 1 / 1.1);
+  else if (event.target === stage.canvas && (key === "ArrowUp" || key === "ArrowDown")) turnCamera(0, key === "ArrowUp" ? 8 : -8);
+  else if (event.target === stage.canvas && (key === "," || key === ".")) turnCamera(key === "," ? -12 : 12, 0);
+  else return;
+  event.preventDefault();
+});
+
+// Escape clears one thing at a time: a sheet, a pair, a chosen pattern.
+function escape() {
+  if (closeSheet()) return;
+  if (state.held || state.hover) release();
+  else if (state.pattern !== null) clearPattern();
+}
+
+function tellSymmetry() {
+  const note = $("symmetry-note").textContent;
+  $("live").textContent = note;
+  showTip($("tab-symmetry"), note);
+  setTimeout(() => showTip(null), 2400);
+}

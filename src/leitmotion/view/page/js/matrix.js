@@ -1,0 +1,178 @@
+// The matrix: every moment against every other. Bitmap, ticks and edge bars are drawn once per size, theme and choice.
+
+// A matrix has a title, cells and a legend; another one is added by another file that pushes it here.
+const matrices = [
+  { id: "distance", title: "Every moment against every other", paint: paintDistances, legend: distanceLegend },
+];
+const field = { base: $("matrix-base"), top: $("matrix"), box: $("matrix-field"), left: 0, upper: 0, side: 0, shown: matrices[0] };
+const bitmap = document.createElement("canvas");
+const TICKS = [0.1, 0.2, 0.5, 1, 2, 5, 10, 30, 60, 120, 300, 600, 1800, 3600];
+
+// Seconds between ticks, so that at most `most` of them stand on the axis; `least` apart at the finest.
+const tickStep = (most) => TICKS.find((step) => clip.seconds / step < most) || TICKS.at(-1);
+const tickWord = (seconds, step) => (step >= 60 ? clockWord(seconds, 0) : String(Number(seconds.toFixed(1))));
+
+const xOf = (time) => field.left + (time / clip.seconds) * field.side;
+const yOf = (time) => field.upper + (time / clip.seconds) * field.side;
+
+function paintDistances(pixels) {
+  const { values, cells } = likeness;
+  const near = likeness.top / payload.distance.cap;
+  const blank = rgb(theme.tokens.sunken);
+  const unknown = (255 << 24) | (blank[2] << 16) | (blank[1] << 8) | blank[0];
+  const table = new Uint32Array(256);
+  for (let byte = 0; byte < 255; byte++) table[byte] = theme.map[Math.round(255 * (1 - Math.min((byte / 254) * near, 1)))];
+  table[255] = unknown;
+  for (let i = 0; i < cells * cells; i++) pixels[i] = table[values[i]];
+}
+
+function distanceLegend(legend) {
+  const scale = document.createElement("canvas");
+  legend.replaceChildren(make("span", "", "same posture"), scale, make("span", "", `${capWord} apart or more`));
+  const pen = sized(scale, 96, 12);
+  for (let x = 0; x < 96; x++) {
+    const colour = theme.map[Math.round(255 * (1 - x / 95))];
+    pen.fillStyle = `rgb(${colour & 255} ${(colour >> 8) & 255} ${(colour >> 16) & 255})`;
+    pen.fillRect(x, 0, 1.2, 12);
+  }
+}
+
+on("layout", () => {
+  const { cells } = likeness;
+  $("matrix-title").textContent = field.shown.title;
+  bitmap.width = bitmap.height = cells;
+  const pen = bitmap.getContext("2d");
+  const image = pen.createImageData(cells, cells);
+  field.shown.paint(new Uint32Array(image.data.buffer));
+  pen.putImageData(image, 0, 0);
+  field.shown.legend($("matrix-legend"));
+  const [width, height] = [field.box.clientWidth, field.box.clientHeight];
+  const phone = innerWidth <= 760 && !state.printing;
+  field.left = phone ? 46 : 51;
+  field.upper = 55;
+  field.side = Math.max(60, Math.min(width - field.left - 12, height - field.upper - (phone ? 36 : 38)));
+  $("matrix-legend").style.left = field.left + "px";
+  $("matrix-legend").style.right = "auto";
+});
+
+on("change", () => {
+  const pen = sized(field.base, field.box.clientWidth, field.box.clientHeight);
+  pen.imageSmoothingEnabled = true;
+  pen.imageSmoothingQuality = "high";
+  pen.drawImage(bitmap, field.left, field.upper, field.side, field.side);
+  drawAxes(pen);
+  drawEdgeBars(pen);
+  drawStripes(pen);
+});
+
+function drawAxes(pen) {
+  const step = tickStep(field.side > 500 ? 8.2 : 6.2);
+  pen.font = `11.5px ${theme.font}`;
+  pen.fillStyle = theme.tokens.ink2;
+  for (let time = 0; time < clip.seconds * 0.985; time += step) {
+    const word = tickWord(time, step);
+    pen.textBaseline = "alphabetic";
+    pen.textAlign = time ? "center" : "left";
+    if (xOf(time) < field.left + field.side - 8) pen.fillText(time || step >= 60 ? word : "0 s", xOf(time), field.upper - 11);
+    pen.textAlign = "right";
+    pen.textBaseline = "middle";
+    if (time) pen.fillText(word, field.left - 13, yOf(time));
+  }
+}
+
+// Stretches as bars of 4 px along both edges: the bridge to the lanes.
+function drawEdgeBars(pen) {
+  patterns.forEach((pattern, p) => {
+    pen.fillStyle = patternColour(p);
+    pen.globalAlpha = state.pattern === null || state.pattern === p ? 1 : 0.25;
+    for (const { start, stop } of pattern.stretches) {
+      const [from, length] = [xOf(start) + 0.5, Math.max(xOf(stop) - xOf(start) - 1, 1)];
+      pen.fillRect(from, field.upper - 7, length, 4);
+      pen.fillRect(field.left - 7, from - field.left + field.upper, 4, length);
+    }
+  });
+  pen.globalAlpha = 1;
+}
+
+// What moves: the cross of now, or the two lines of a pair with their tags.
+on("frame", () => {
+  const pen = sized(field.top, field.box.clientWidth, field.box.clientHeight);
+  const pair = pairOnShow();
+  if (pair) drawPair(pen, pair);
+  else drawCross(pen, state.time);
+});
+
+function drawCross(pen, time) {
+  const { ink } = theme.tokens;
+  const [x, y] = [xOf(time), yOf(time)];
+  pen.strokeStyle = ink;
+  pen.globalAlpha = 0.55;
+  pen.lineWidth = 1;
+  pen.beginPath();
+  pen.moveTo(field.left - 7, y);
+  pen.lineTo(field.left + field.side, y);
+  pen.moveTo(x, field.upper - 7);
+  pen.lineTo(x, field.upper + field.side);
+  pen.stroke();
+  pen.globalAlpha = 1;
+  dotAt(pen, x, y, true);
+}
+
+// Moment 1 is the row, solid; moment 2 the column, dashed; both meet at the cell and stand on the diagonal.
+function drawPair(pen, { one, two }) {
+  const { ink } = theme.tokens;
+  const [x1, y1, x2, y2] = [xOf(one), yOf(one), xOf(two), yOf(two)];
+  pen.strokeStyle = ink;
+  pen.lineWidth = 1.2;
+  pen.beginPath();
+  pen.moveTo(field.left - 7, y1);
+  pen.lineTo(x2, y1);
+  pen.stroke();
+  pen.setLineDash([4, 3]);
+  pen.beginPath();
+  pen.moveTo(x2, field.upper - 7);
+  pen.lineTo(x2, y2);
+  pen.stroke();
+  pen.setLineDash([]);
+  dotAt(pen, x1, y1, true);
+  dotAt(pen, x2, y2, false);
+  pen.lineWidth = 4;
+  pen.strokeStyle = theme.tokens.surface;
+  disc(pen, x2, y1, 6.5);
+  pen.stroke();
+  pen.lineWidth = 1.8;
+  pen.strokeStyle = ink;
+  pen.stroke();
+  momentTag(pen, "1", one, field.left - 10, y1, true);
+  momentTag(pen, "2", two, x2, field.upper - 17, false);
+}
+
+function dotAt(pen, x, y, solid) {
+  disc(pen, x, y, 5.4);
+  pen.fillStyle = theme.tokens.surface;
+  pen.fill();
+  disc(pen, x, y, solid ? 4 : 3.6);
+  pen.fillStyle = pen.strokeStyle = theme.tokens.ink;
+  pen.lineWidth = 1.6;
+  if (solid) pen.fill();
+  else pen.stroke();
+}
+
+// Tag 1 is filled and stands left of its row, tag 2 outlined and above its column.
+function momentTag(pen, name, time, x, y, solid) {
+  pen.font = `600 11.5px ${theme.font}`;
+  const text = `${name} ${clockWord(time)}`;
+  const width = pen.measureText(text).width + 12;
+  const left = clamp(solid ? x - width + 14 : x - width / 2, 1, field.box.clientWidth - width - 1);
+  pen.beginPath();
+  pen.roundRect(solid ? Math.max(1, field.left - 7 - width) : left, y - 9, width, 18, 5);
+  pen.fillStyle = solid ? theme.tokens.ink : theme.tokens.surface;
+  pen.fill();
+  pen.strokeStyle = theme.tokens.ink;
+  pen.lineWidth = 1.3;
+  pen.stroke();
+  pen.fillStyle = solid ? theme.tokens.surface : theme.tokens.ink;
+  pen.textAlign = "left";
+  pen.textBaseline = "middle";
+  pen.fillText(text, (solid ? Math.max(1, field.left - 7 - width) : left) + 6, y + 0.5);
+}

@@ -1,0 +1,110 @@
+// The panel keeps its place: Most like now when idle, Two moments when a pair is on show. At most ten times a second.
+
+const panel = { element: $("panel"), drawn: 0, late: 0, key: "" };
+const EVERY_MS = 100;
+
+on("layout", () => (panel.key = ""));
+on("change", () => (panel.key = ""));
+on("frame", () => {
+  clearTimeout(panel.late);
+  const wait = state.playing ? panel.drawn + EVERY_MS - performance.now() : 0;
+  if (wait > 0) panel.late = setTimeout(drawPanel, wait);
+  else drawPanel();
+});
+
+function drawPanel() {
+  panel.drawn = performance.now();
+  const pair = pairOnShow();
+  const key = pair ? `${pair.one} ${pair.two}` : `${frameAt(state.time)}`;
+  if (key !== panel.key) {
+    panel.key = key;
+    panel.element.classList.toggle("paired", Boolean(pair));
+    panel.element.replaceChildren(pair ? twoMoments(pair) : mostLikeNow());
+  }
+  sayNow(pair);
+}
+
+function mostLikeNow() {
+  const at = frameAt(state.time);
+  const found = [];
+  for (let k = 0; k < nearest.each; k++) {
+    const frame = nearest.frames[at * nearest.each + k];
+    if (frame >= 0) found.push({ time: frame / clip.rate, distance: nearest.distances[at * nearest.each + k] * nearest.quantum });
+  }
+  const box = make("div", "idle", [make("h2", "", "Most like now"), make("p", "", WORDS.point)]);
+  if (!found.length) box.append(make("p", "", WORDS.none));
+  for (const { time, distance } of found) {
+    const figure = document.createElement("canvas");
+    const held = stretchAt(time);
+    const words = make("span", "", [make("b", "", clockWord(time)), held ? chip(held.pattern) : "", make("small", "", `${apartWord(distance)} apart`)]);
+    const button = make("button", "near", [figure, words], { type: "button" });
+    button.addEventListener("click", () => hold({ one: Math.min(state.time, time), two: Math.max(state.time, time) }));
+    box.append(button);
+    const height = clamp((stage.height + 46 - 90) / 3 - 12, 60, 104);
+    drawSmall(sized(figure, 76, height), time, { x: 38, base: height - 3, height: height - 5, width: 74 });
+  }
+  return box;
+}
+
+function twoMoments(pair) {
+  const { distance, joints, farther } = compare(pair.one, pair.two);
+  const where = sharedPattern(pair.one, pair.two);
+  const figures = [pair.one, pair.two].map((time, k) => {
+    const canvas = document.createElement("canvas");
+    const colour = k ? (where === null ? theme.tokens.ink2 : patternColour(where)) : null;
+    const height = clamp(stage.height * 0.36, 90, 150);
+    drawSmall(sized(canvas, 100, height), time, { x: 50, base: height - 4, height: height - 8, width: 98, colour });
+    return make("figure", "", [canvas, make("span", "", [make("b", "", String(k + 1)), ` ${clockWord(time)}`])]);
+  });
+  const box = make("div", "two", [make("h2", "", "Two moments"), make("div", "both", figures)]);
+  if (Number.isNaN(distance)) {
+    box.append(make("p", "verdict", WORDS.unknown));
+    return box;
+  }
+  const number = make("b", "", (farther ? "> " : "") + apartNumber(distance));
+  box.append(make("p", "apart", [number, ` ${UNIT} ${WORDS.apart}`.replace(" °", "°")]));
+  const verdict = make("p", "verdict");
+  if (where === null) verdict.append(WORDS.apartPatterns);
+  else verdict.append("Both in pattern ", chip(where), ". ", stripeNear(pair.one, pair.two, 40) ? WORDS.drag : "");
+  box.append(verdict, jointBars(joints));
+  return box;
+}
+
+// The five joints that are farthest apart, as bars with whole numbers.
+function jointBars(joints) {
+  const list = make("div", "joints", [], { role: "list" });
+  const top = joints.length ? Math.max(joints[0].apart, payload.distance.cap * 1.2) : 1;
+  for (const joint of joints.slice(0, 5)) {
+    const bar = document.createElement("i");
+    bar.style.width = Math.max((100 * joint.apart) / top, 2) + "%";
+    list.append(make("span", "", joint.word), bar, make("b", "", apartWhole(joint.apart)));
+  }
+  return list;
+}
+
+// Canvases carry a sentence kept current; the live region speaks at most once a second, never while playing.
+const spoken = { at: 0, text: "", late: 0 };
+function sayNow(pair) {
+  const sentence = pair ? pairSentence(pair) : nowSentence();
+  field.top.setAttribute("aria-label", `${$("matrix-title").textContent}. ${sentence} Arrow keys move the cell, Enter holds it.`);
+  stage.canvas.setAttribute("aria-label", `The figure at ${clockWord(shownTime())} of ${clockWord(clip.seconds)}. ${sentence}`);
+  clearTimeout(spoken.late);
+  if (state.playing || sentence === spoken.text) return;
+  const speak = () => {
+    spoken.at = performance.now();
+    spoken.text = sentence;
+    $("live").textContent = sentence;
+  };
+  const wait = spoken.at + 1000 - performance.now();
+  if (wait > 0) spoken.late = setTimeout(speak, wait);
+  else speak();
+}
+
+function nowSentence() {
+  const held = stretchAt(state.time);
+  const at = frameAt(state.time) * nearest.each;
+  const frame = nearest.frames[at];
+  const inside = held ? `, in ${patternName(held.pattern)}` : "";
+  const like = frame < 0 ? WORDS.none : `Most like it: ${clockWord(frame / clip.rate)}, ${apartWord(nearest.distances[at] * nearest.quantum)} apart.`;
+  return `Now ${clockWord(state.time)}${inside}. ${like}`;
+}

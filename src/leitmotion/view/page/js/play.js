@@ -1,0 +1,146 @@
+// Playing: one recording, the stretches of a chosen pattern in turn, or a pair along its stripe.
+
+const player = { before: 0 };
+
+function goTo(time) {
+  if (state.held || state.hover) Object.assign(state, { held: false, second: null, stripe: null, hover: null });
+  state.time = clamp(time, 0, clip.last);
+  keepHash();
+  redraw();
+}
+
+function play() {
+  if (state.playing) return;
+  if (!state.held && state.pattern === null && state.time >= clip.last - 1e-6) state.time = 0;
+  if (state.held && state.stripe === null) {
+    const near = stripeNear(state.time, state.second);
+    if (near) holdAlong(near.stripe, near.step);
+  }
+  state.playing = true;
+  player.before = 0;
+  requestAnimationFrame(tick);
+  redraw("change");
+}
+
+function pause() {
+  if (!state.playing) return;
+  state.playing = false;
+  keepHash();
+  redraw("change");
+}
+
+const togglePlay = () => (state.playing ? pause() : play());
+
+function tick(now) {
+  if (!state.playing) return;
+  const seconds = player.before ? Math.min((now - player.before) / 1000, 0.25) * state.speed : 0;
+  player.before = now;
+  // Time stands still while someone points at a cell.
+  if (!state.hover) advance(seconds);
+  redraw();
+  requestAnimationFrame(tick);
+}
+
+function advance(seconds) {
+  if (state.held) {
+    if (state.stripe !== null) walkStripe(seconds);
+    else shiftPair(seconds);
+  } else if (state.pattern !== null) loopPattern(seconds);
+  else {
+    state.time += seconds;
+    if (state.time >= clip.last) {
+      state.time = clip.last;
+      pause();
+    }
+  }
+}
+
+// A pair that lies on no stripe goes on at the same pace until one of the two ends.
+function shiftPair(seconds) {
+  const by = clamp(seconds, -state.time, clip.last - state.second);
+  state.time += by;
+  state.second += by;
+  if (by < seconds - 1e-9) pause();
+}
+
+function loopPattern(seconds) {
+  const { stretches } = patterns[state.pattern];
+  const stretch = stretches[state.loop];
+  state.time = state.time < stretch.start || state.time >= stretch.stop ? stretch.start : state.time + seconds;
+  if (state.time < Math.min(stretch.stop, clip.last)) return;
+  state.loop = (state.loop + 1) % stretches.length;
+  state.time = stretches[state.loop].start;
+  redraw("change");
+}
+
+// Choose a pattern and loop its stretches in turn; choosing it again clears it.
+function choosePattern(p, stretch = null) {
+  if (state.pattern === p && (stretch === null || stretch === state.loop)) {
+    clearPattern();
+    return;
+  }
+  const inside = stretchAt(state.time, p);
+  state.pattern = p;
+  Object.assign(state, { held: false, second: null, stripe: null, hover: null });
+  state.loop = stretch ?? (inside ? inside.stretch : 0);
+  if (stretch !== null || !inside) state.time = patterns[p].stretches[state.loop].start;
+  keepHash();
+  redraw("change");
+  if (!reducedMotion.matches) play();
+}
+
+function clearPattern() {
+  state.pattern = null;
+  pause();
+  keepHash();
+  redraw("change");
+}
+
+// One step: along the stripe of a held pair, both of a pair, or the moment.
+function stepBy(seconds) {
+  pause();
+  if (state.held && state.stripe !== null) walkStripe(seconds < 0 ? 0 : seconds);
+  if (state.held && state.stripe !== null && seconds < 0) walkBack(-seconds);
+  else if (state.held && state.stripe === null) shiftPair(seconds);
+  else if (!state.held) state.time = clamp(state.time + seconds, 0, clip.last);
+  keepHash();
+  redraw();
+}
+
+function walkBack(seconds) {
+  const goal = state.time + state.second - 2 * seconds;
+  let step = state.step;
+  let pair = pairAlong(state.stripe, step);
+  while (step > 0 && pair.one + pair.two > goal) {
+    const before = step;
+    const previous = Math.max(Math.ceil(step) - 1, 0);
+    const at = pairAlong(state.stripe, previous);
+    const span = pair.one + pair.two - at.one - at.two;
+    if (at.one + at.two < goal && span > 0) step = before - ((before - previous) * (pair.one + pair.two - goal)) / span;
+    else step = previous;
+    pair = pairAlong(state.stripe, step);
+    if (step > previous) break;
+  }
+  holdAlong(state.stripe, step);
+}
+
+function setSpeed(by) {
+  state.speed = SPEEDS[clamp(SPEEDS.indexOf(state.speed) + by, 0, SPEEDS.length - 1)];
+  keepHash();
+  redraw("change");
+}
+
+on("frame", () => {
+  $("clock").textContent = clockWord(shownTime());
+});
+on("change", () => {
+  $("play").setAttribute("aria-label", state.playing ? "Pause" : "Play");
+  $("play-shape").setAttribute("d", state.playing ? "M4 3h3v10H4zM9 3h3v10H9z" : "M4.5 2.6v10.8L13 8z");
+  for (const button of $("speeds").children) button.setAttribute("aria-pressed", Number(button.dataset.speed) === state.speed);
+  const looping = $("looping");
+  looping.hidden = state.pattern === null;
+  $("hints").hidden = state.pattern !== null;
+  if (state.pattern === null) return;
+  const count = patterns[state.pattern].stretches.length;
+  looping.replaceChildren("Looping ", chip(state.pattern), `, stretch ${state.loop + 1} of ${count}`);
+});

@@ -1,0 +1,111 @@
+// What the page shows, kept in the address's hash so that a copied address opens the same view.
+
+const CAMERAS = ["room", "front", "side", "top"];
+const SPEEDS = [0.5, 1, 2];
+
+const state = {
+  time: 0, // seconds of moment 1
+  second: null, // seconds of moment 2 while a pair is held
+  held: false,
+  hover: null, // {one, two}: the pair under the pointer
+  stripe: null, // the stripe that a held pair follows
+  step: 0, // how far along it, in steps of its path
+  playing: false,
+  speed: 1,
+  pattern: null, // index of the chosen pattern
+  loop: 0, // which of its stretches plays
+  bar: null, // the pattern whose bar is pointed at
+  camera: "room",
+  turn: 0,
+  tilt: 0,
+  zoom: 1,
+  follow: true,
+  trails: true,
+  ghost: true,
+  theme: null, // "light" or "dark" once chosen, else the system's
+  names: {},
+  printing: false,
+};
+
+// The pair on show: the one pointed at, else the held one, else none.
+function pairOnShow() {
+  if (state.hover) return state.hover;
+  return state.held ? { one: state.time, two: state.second } : null;
+}
+
+const shownTime = () => (state.hover ? state.hover.one : state.time);
+
+const listeners = { frame: [], change: [], layout: [] };
+const on = (event, listener) => listeners[event].push(listener);
+
+// "frame": the moment moved; "change": a choice was made; "layout": size or theme changed. Drawing waits for the
+// next animation frame, so that many changes in one frame are drawn once.
+const due = new Set();
+let waiting = 0;
+function redraw(event = "frame") {
+  due.add(event);
+  if (!waiting) waiting = requestAnimationFrame(drawNow);
+}
+
+function drawNow() {
+  cancelAnimationFrame(waiting);
+  waiting = 0;
+  const order = due.has("layout") ? ["layout", "change", "frame"] : due.has("change") ? ["change", "frame"] : ["frame"];
+  due.clear();
+  const before = performance.now();
+  for (const event of order) for (const listener of listeners[event]) listener();
+  cost.last = performance.now() - before;
+  cost.frames++;
+}
+const cost = { last: 0, frames: 0 };
+
+const short = (value, digits = 2) => String(Number(value.toFixed(digits)));
+
+function writeHash() {
+  const parts = new URLSearchParams();
+  parts.set("t", short(state.time));
+  if (state.held) parts.set("u", short(state.second));
+  if (state.pattern !== null) parts.set("pattern", patterns[state.pattern].id);
+  if (state.camera !== "room") parts.set("camera", state.camera);
+  if (state.turn) parts.set("turn", short(state.turn));
+  if (state.tilt) parts.set("tilt", short(state.tilt));
+  if (state.zoom !== 1) parts.set("zoom", short(state.zoom));
+  if (state.speed !== 1) parts.set("speed", String(state.speed));
+  for (const what of ["follow", "trails", "ghost"]) if (!state[what]) parts.set(what, "0");
+  if (state.theme) parts.set("theme", state.theme);
+  for (const [id, name] of Object.entries(state.names)) parts.set("name." + id, name);
+  history.replaceState(null, "", "#" + parts.toString().replaceAll("+", "%20"));
+}
+
+// Browsers allow few writes a second; the last one always lands.
+let writing = 0;
+function keepHash() {
+  if (!writing) writing = setTimeout(() => ((writing = 0), writeHash()), 250);
+}
+
+function readHash() {
+  const parts = new URLSearchParams(location.hash.slice(1));
+  const number = (key, fallback, low, high) => {
+    const value = parts.has(key) ? Number(parts.get(key)) : NaN;
+    return Number.isFinite(value) ? clamp(value, low, high) : fallback;
+  };
+  state.time = number("t", openingTime(), 0, clip.last);
+  state.second = number("u", null, 0, clip.last);
+  state.held = state.second !== null;
+  const chosen = patterns.findIndex((p) => p.id === parts.get("pattern"));
+  state.pattern = chosen < 0 ? null : chosen;
+  state.camera = CAMERAS.includes(parts.get("camera")) ? parts.get("camera") : "room";
+  state.turn = number("turn", 0, -1e3, 1e3);
+  state.tilt = number("tilt", 0, -1.6, 1.6);
+  state.zoom = number("zoom", 1, 0.3, 6);
+  state.speed = SPEEDS.includes(Number(parts.get("speed"))) ? Number(parts.get("speed")) : 1;
+  for (const what of ["follow", "trails", "ghost"]) state[what] = parts.get(what) !== "0";
+  state.theme = ["light", "dark"].includes(parts.get("theme")) ? parts.get("theme") : null;
+  state.names = {};
+  for (const [key, value] of parts) if (key.startsWith("name.") && value) state.names[key.slice(5)] = value.slice(0, 60);
+}
+
+// Nothing plays by itself: the page opens on the key posture of the pattern with the most time, else in the middle.
+function openingTime() {
+  return patterns.length ? patterns[0].key / clip.rate : Math.min(clip.last * 0.38, clip.last);
+}

@@ -1,0 +1,48 @@
+// The table holds everything the lanes show.
+
+const COLUMNS = ["Pattern", "From", "To", "Lasts", "Cycles", "One cycle", "Confidence"];
+
+function tableRows() {
+  return patterns.flatMap((pattern, p) =>
+    pattern.stretches.map((stretch, k) => {
+      const cycles = stretch.cycles.length;
+      const mean = cycles ? stretch.cycles.reduce((sum, [a, b]) => sum + b - a, 0) / cycles : NaN;
+      return { p, k, pattern, stretch, cycles, mean };
+    }),
+  );
+}
+
+function buildTable() {
+  const box = $("table");
+  if (!patterns.length) {
+    box.classList.add("nothing");
+    box.append(make("h2", "", "What was looked for"), make("p", "", payload.looked_for));
+    return;
+  }
+  const body = document.createElement("tbody");
+  for (const { p, k, pattern, stretch, cycles, mean } of tableRows()) {
+    const button = chip(p, "button");
+    button.type = "button";
+    button.dataset.stretch = `${p} ${k}`;
+    const cells = [
+      clockWord(stretch.start), clockWord(stretch.stop), `${(stretch.stop - stretch.start).toFixed(1)} s`,
+      cycles || "–", cycles ? `${mean.toFixed(2)} s` : "–", pattern.confidence.toFixed(2),
+    ].map((text) => make("td", "", String(text)));
+    cells[5].title = pattern.reason;
+    const row = make("tr", "", [make("td", "", [button, make("span", "given-name", "")]), ...cells]);
+    row.addEventListener("click", () => choosePattern(p, k));
+    body.append(row);
+  }
+  const head = make("thead", "", make("tr", "", COLUMNS.map((name) => make("th", "", name, { scope: "col" }))));
+  box.append(make("table", "", [head, body]));
+}
+
+on("change", () => {
+  for (const button of $("table").querySelectorAll("button")) {
+    const [p, k] = button.dataset.stretch.split(" ").map(Number);
+    button.style.setProperty("--c", patternToken(p));
+    button.setAttribute("aria-label", stretchLabel(p, k));
+    button.setAttribute("aria-pressed", state.pattern === p);
+    button.nextSibling.textContent = state.names[patterns[p].id] ? " " + state.names[patterns[p].id] : "";
+  }
+});

@@ -1,0 +1,98 @@
+// The time line: rows that share one x scale, so that one vertical line is one moment.
+
+// A row is {order, element, layout(width)?, change?(), frame?()}; another one is added by another file that pushes it.
+const timeRows = [];
+const timeline = { element: $("timeline"), left: 0, width: 0, marks: [], lines: [] };
+
+const across = (time) => (time / clip.seconds) * timeline.width;
+
+function buildTimeline() {
+  timeRows.sort((a, b) => a.order - b.order);
+  timeline.element.append(...timeRows.map((row) => row.element));
+  for (const second of [false, true]) {
+    const tag = make("b", "");
+    const line = make("div", second ? "moment second" : "moment", tag, { "aria-hidden": "true" });
+    timeline.lines.push({ line, tag });
+    timeline.element.append(line);
+  }
+}
+
+on("layout", () => {
+  const style = getComputedStyle(timeline.element);
+  const [head, pad] = ["--head", "--pad"].map((name) => parseFloat(style.getPropertyValue(name)));
+  timeline.left = head + 1;
+  timeline.width = timeline.element.clientWidth - head - pad - 1;
+  for (const mark of timeline.marks) mark.remove();
+  timeline.marks = [];
+  const step = tickStep(timeline.width > 500 ? 8.2 : 4.2);
+  for (let time = step; time < clip.seconds; time += step) {
+    const mark = make("i", "grid-line");
+    mark.style.left = timeline.left + across(time) + "px";
+    timeline.marks.push(mark);
+  }
+  timeline.element.prepend(...timeline.marks);
+  for (const row of timeRows) row.layout?.(timeline.width, step);
+});
+on("change", () => timeRows.forEach((row) => row.change?.()));
+on("frame", () => {
+  const pair = pairOnShow();
+  moveLine(0, shownTime(), pair ? "1 " : "");
+  moveLine(1, pair ? pair.two : null, "2 ");
+  for (const row of timeRows) row.frame?.();
+});
+
+function moveLine(which, time, prefix) {
+  const { line, tag } = timeline.lines[which];
+  line.hidden = time === null;
+  if (time === null) return;
+  const x = timeline.left + across(time);
+  line.style.transform = `translateX(${x.toFixed(2)}px)`;
+  const word = prefix + clockWord(time);
+  if (tag.textContent !== word) tag.textContent = word;
+  const half = (word.length * 6.6 + 14) / 2;
+  const shift = Math.max(half - x + 2, 0) - Math.max(x + half - timeline.element.clientWidth + 2, 0);
+  tag.style.setProperty("--shift", `calc(-50% + ${shift.toFixed(1)}px)`);
+}
+
+// Point, click or drag in a row: the moment goes there.
+function seekable(element) {
+  const seek = (event) => {
+    const box = timeline.element.getBoundingClientRect();
+    goTo(((event.clientX - box.left - 1 - timeline.left) / timeline.width) * clip.seconds);
+  };
+  element.addEventListener("pointerdown", (event) => {
+    if (event.button) return;
+    element.setPointerCapture(event.pointerId);
+    element.dataset.down = "1";
+    pause();
+    seek(event);
+  });
+  element.addEventListener("pointermove", (event) => element.dataset.down && seek(event));
+  for (const end of ["pointerup", "pointercancel"]) element.addEventListener(end, () => delete element.dataset.down);
+}
+
+// Ruler: a mark each minor step, a number each major one.
+(() => {
+  const track = make("div", "track");
+  const element = make("div", "row ruler", track, { "aria-hidden": "true" });
+  seekable(element);
+  timeRows.push({
+    order: 20,
+    element,
+    layout(width, step) {
+      track.replaceChildren();
+      const minor = TICKS.filter((t) => t < step && (t / clip.seconds) * width >= 12 && Math.abs(step / t - Math.round(step / t)) < 1e-6)[0] || step;
+      for (let k = 0; k * minor < clip.seconds - 1e-6; k++) {
+        const time = k * minor;
+        const major = Math.abs(time / step - Math.round(time / step)) < 1e-6;
+        const mark = make("i", major ? "mark major" : "mark");
+        mark.style.left = across(time) + "px";
+        track.append(mark);
+        if (!major || across(time) > width - 6) continue;
+        const tick = make("span", time ? "tick" : "tick first", time || step >= 60 ? tickWord(time, step) : "0 s");
+        tick.style.left = across(time) + "px";
+        track.append(tick);
+      }
+    },
+  });
+})();

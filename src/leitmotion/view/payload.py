@@ -1,0 +1,322 @@
+"""What the page holds: the nouns as one JSON document with typed arrays in base64.
+
+Conventions
+-----------
+The page computes nothing that is not here. It counts time in *drawn frames*, at most 30 a second; positions are
+whole millimetres of a drawing in metres (another unit is scaled so that the body is 1.6 m large), the matrix is
+bytes, at most 600 x 600 cells. An array is ``{"type", "shape", "data"}``: a JavaScript typed array's name, its
+lengths and its little-endian bytes in base64.
+"""
+
+from __future__ import annotations
+
+import base64
+from typing import Any
+
+import numpy as np
+
+from leitmotion.body import ANALYSIS_ROLES, LINKS, ROLES, Body
+from leitmotion.discovery import Pattern, Patterns
+from leitmotion.motion import ParameterError, Segmentation
+from leitmotion.similarity import SimilarityMatrix
+from leitmotion.view import words
+from leitmotion.view.choose import MISSING, choose_key, choose_strips, find_nearest, floor_height, look_across
+
+VERSION = 1
+DRAWN_RATE = 30.0
+CELLS = 600
+BODY_SIZE = 1.6
+FULL_SIZE = 1.5
+PATH_RATE = 15.0
+CAP_PERCENTILE = 60
+NEAREST_QUANTUM = 1e-4
+STRIP_COUNTS = (3, 4, 6, 8, 10, 13, 16)
+JS_TYPES = {
+    "i2": "Int16Array",
+    "i4": "Int32Array",
+    "u1": "Uint8Array",
+    "u2": "Uint16Array",
+    "f4": "Float32Array",
+}
+
+
+def page_payload(
+    body: Body,
+    patterns: Patterns,
+    matrix: SimilarityMatrix,
+    *,
+    source: dict[str, Any],
+    labels: Segmentation | None = None,
+    labels_from: str = "",
+) -> dict[str, Any]:
+    """Turn the nouns into what the page holds.
+
+    Parameters
+    ----------
+    body : Body
+        The person, at the recording's own rate.
+    patterns : Patterns
+        What recurs.
+    matrix : SimilarityMatrix
+        Every moment of `body` against every other; its rate may be lower than the body's.
+    source : dict
+        Where the recording is from: ``path`` and whatever else the JSON contract tells.
+    labels : Segmentation, optional
+        What someone wrote about the recording.
+    labels_from : str
+        The file name of the labels.
+
+    Returns
+    -------
+    dict
+        The document, ready for :func:`json.dumps`; its fields are described in ``docs/page.md``.
+
+    Raises
+    ------
+    ParameterError
+        When the matrix is not square or does not cover the body.
+    """
+    _check(body, matrix)
+    unit = _Unit(body, matrix)
+    step = max(1, int(np.ceil(body.rate / DRAWN_RATE - 1e-6)))
+    clock = {"frames": len(range(0, len(body), step)), "rate": body.rate / step}
+    rows = _rows_at(matrix, clock["frames"], clock["rate"])
+    distances = _at(matrix.values, rows)
+    cap = _distance_cap(distances, unit)
+    near_frames, near_distances = find_nearest(distances, clock["rate"], cap=cap / unit.per_value)
+    seconds = len(body) / body.rate
+    strips = choose_strips(distances, STRIP_COUNTS)
+    return {
+        "version": VERSION,
+        "title": words.title(patterns),
+        "lead": _lead(words.lead(patterns, seconds)),
+        "source": {
+            "name": body.name or "recording",
+            "path": str(source.get("path", "")),
+            "frames": len(body),
+            "rate": body.rate,
+            "seconds": seconds,
+        },
+        "clock": clock,
+        "body": _body(body, step, unit, matrix),
+        "distance": {"factor": unit.shown, "unit": unit.word, "cap": cap},
+        "matrix": _matrix(matrix, cap, unit),
+        "nearest": {
+            "frames": _array(near_frames, "i4"),
+            "distances": _array(_quanta(near_distances * unit.per_value), "u2"),
+            "quantum": NEAREST_QUANTUM,
+        },
+        "patterns": [_pattern(p, distances, rows, clock) for p in patterns.patterns],
+        "stripes": _stripes(patterns),
+        "labels": None if labels is None else _labels(labels, labels_from),
+        "strips": [_array(frames, "i4") for frames in strips],
+        "empty": None
+        if len(patterns)
+        else words.empty_text(patterns, still=_keeps_still(distances, clock, cap, unit)),
+        "looked_for": words.looked_for(patterns),
+    }
+
+
+class _Unit:
+    """How a distance of the matrix becomes a length of the drawing and a number that a person reads."""
+
+    def __init__(self, body: Body, matrix: SimilarityMatrix) -> None:
+        self.draw = 1.0 if body.unit == "m" else BODY_SIZE / body.size
+        self.positional = matrix.metric == "mean_norm" and matrix.unit != "rad"
+        if not self.positional:
+            self.per_value, self.shown, self.word = matrix.scale, 180 / np.pi, "°"
+            self.floor, self.round = 5.0, 1.0
+        elif body.unit == "m":
+            self.per_value, self.shown, self.word = matrix.scale, 100.0, "cm"
+            self.floor, self.round = 8.0, 1.0
+        else:
+            self.per_value, self.shown, self.word = (
+                matrix.scale * self.draw,
+                100 / BODY_SIZE,
+                "% of body size",
+            )
+            self.floor, self.round = 5.0, 1.0
+
+
+def _check(body: Body, matrix: SimilarityMatrix) -> None:
+    n, m = matrix.values.shape
+    if n != m:
+        raise ParameterError(f"The page needs a square matrix of one recording, got {n} x {m}.")
+    seconds, covered = len(body) / body.rate, n / matrix.row_rate
+    if abs(seconds - covered) > 2 / matrix.row_rate + 1 / body.rate:
+        raise ParameterError(
+            f"The matrix covers {covered:.2f} s, the body {seconds:.2f} s: they must be one recording."
+        )
+
+
+def _rows_at(matrix: SimilarityMatrix, frames: int, rate: float) -> np.ndarray:
+    """Row of the matrix that stands for each drawn frame."""
+    rows = np.rint(np.arange(frames) * matrix.row_rate / rate).astype(np.int64)
+    return np.minimum(rows, matrix.values.shape[0] - 1)
+
+
+def _at(values: np.ndarray, rows: np.ndarray) -> np.ndarray:
+    """Distances between drawn frames; a view where the rows are evenly spaced, as they nearly always are."""
+    stride = int(rows[1] - rows[0]) if len(rows) > 1 else 1
+    if stride > 0 and len(rows) and np.array_equal(rows, np.arange(len(rows)) * stride):
+        return values[: rows[-1] + 1 : stride, : rows[-1] + 1 : stride]
+    return values[np.ix_(rows, rows)]
+
+
+def _distance_cap(distances: np.ndarray, unit: _Unit) -> float:
+    """Distance from which on the map is blank: the 60th percentile off the diagonal, a whole number, at least 8 cm."""
+    stride = max(1, len(distances) // 1000)
+    sample = distances[::stride, ::stride]
+    off = sample[~np.eye(len(sample), dtype=bool)]
+    off = off[np.isfinite(off)] * unit.per_value * unit.shown
+    typical = float(np.percentile(off, CAP_PERCENTILE)) if off.size else unit.floor
+    return float(max(unit.floor, np.ceil(typical / unit.round - 1e-9) * unit.round)) / unit.shown
+
+
+def _body(body: Body, step: int, unit: _Unit, matrix: SimilarityMatrix) -> dict[str, Any]:
+    drawn = body.positions[::step] * unit.draw
+    flat = drawn.shape[2] == 2
+    if flat:
+        drawn = np.concatenate([drawn, np.zeros((*drawn.shape[:2], 1))], axis=2)
+        drawn[np.isnan(drawn[..., 0]), 2] = np.nan
+    known = tuple(role for role in body.roles if role in ROLES)
+    size = body.size * unit.draw
+    index = {role: r for r, role in enumerate(body.roles)}
+    compared = (
+        [index[role] for role in ANALYSIS_ROLES if role in index] if known else list(range(len(body.roles)))
+    )
+    return {
+        "roles": list(body.roles),
+        "words": [words.role_word(role) for role in body.roles],
+        "compared": compared if unit.positional else [],
+        "links": [[index[a], index[b]] for a, b in LINKS if a in index and b in index],
+        "dots": len(known) < 6,
+        "flat": flat,
+        "metres": body.unit == "m",
+        "girth": size / FULL_SIZE,
+        "height": _height(drawn),
+        "floor": floor_height(drawn, size / FULL_SIZE),
+        "yaw": 0.0 if flat else look_across(drawn, body.facing[::step]),
+        "positions": _millimetres(drawn),
+        "facing": _array(body.facing[::step], "f4"),
+    }
+
+
+def _height(drawn: np.ndarray) -> float:
+    """How tall the person stands: nearly the tallest posture, from the lowest point to the highest."""
+    y = drawn[..., 1]
+    seen = np.isfinite(y).any(axis=1)
+    if not seen.any():
+        return 1.7
+    return float(np.percentile(np.nanmax(y[seen], axis=1) - np.nanmin(y[seen], axis=1), 90)) or 1.0
+
+
+def _millimetres(drawn: np.ndarray) -> dict[str, Any]:
+    """Positions as whole millimetres: 16 bits hold 32 m each way, a longer walk takes 32."""
+    whole = np.rint(drawn * 1000)
+    far = np.abs(whole[np.isfinite(whole)]).max(initial=0)
+    kind = "i2" if far < 32767 else "i4"
+    return _array(np.where(np.isfinite(whole), whole, MISSING[kind]), kind)
+
+
+def _matrix(matrix: SimilarityMatrix, cap: float, unit: _Unit) -> dict[str, Any]:
+    """Distances as bytes, each cell the mean of its block; 255 is unknown, 254 is `top` or farther."""
+    n = matrix.values.shape[0]
+    stride = -(-n // CELLS)
+    starts = np.arange(0, n, stride)
+    cells = np.empty((len(starts), len(starts)))
+    for k, start in enumerate(starts):
+        band = matrix.values[start : start + stride].astype(np.float64)
+        sums = np.add.reduceat(np.nan_to_num(band).sum(axis=0), starts)
+        count = np.add.reduceat(np.isfinite(band).sum(axis=0), starts)
+        with np.errstate(invalid="ignore", divide="ignore"):
+            cells[k] = sums / count
+    known = np.isfinite(cells)
+    diagonal = np.diag_indices_from(cells)
+    cells[diagonal] = np.where(known[diagonal], 0.0, np.nan)
+    top = 1.5 * cap
+    whole = np.rint(np.minimum(cells * unit.per_value / top, 1) * 254)
+    return {
+        "rate": matrix.row_rate / stride,
+        "top": top,
+        "values": _array(np.where(known, whole, 255), "u1"),
+    }
+
+
+def _pattern(
+    pattern: Pattern, distances: np.ndarray, rows: np.ndarray, clock: dict[str, Any]
+) -> dict[str, Any]:
+    head, sub = words.lane_head(pattern)
+    spans = pattern.stretches
+    return {
+        "id": pattern.id,
+        "kind": pattern.kind,
+        "period_s": pattern.period_s,
+        "confidence": pattern.confidence,
+        "reason": pattern.reason,
+        "cost": pattern.cost,
+        "head": head,
+        "sub": sub,
+        "key": choose_key(pattern, distances, clock["rate"]),
+        "stretches": [
+            {
+                "start": float(start / spans.rate),
+                "stop": float(stop / spans.rate),
+                "cycles": [list(cycle) for cycle in words.cycles_in(pattern, k)],
+                "name": words.stretch_name(pattern, k),
+                "tip": words.stretch_tip(pattern, k),
+            }
+            for k, (start, stop, _, _) in enumerate(spans)
+        ],
+    }
+
+
+def _stripes(patterns: Patterns) -> dict[str, Any]:
+    """Warping paths one after the other: seconds of the earlier and of the later moment."""
+    order = {p.id: k for k, p in enumerate(patterns.patterns)}
+    pairs = [pair for pair in patterns.pairs if pair.pattern in order]
+    every = max(1, round(patterns.rate / PATH_RATE))
+    paths = [_thinned(pair.path, every) / patterns.rate for pair in pairs]
+    lengths = [len(path) for path in paths]
+    return {
+        "pattern": [order[pair.pattern] for pair in pairs],
+        "length": lengths,
+        "points": _array(np.concatenate(paths) if paths else np.empty((0, 2)), "f4"),
+    }
+
+
+def _thinned(path: np.ndarray, every: int) -> np.ndarray:
+    """Keep one step of a path every so many frames of progress, and always both ends."""
+    progress = path.sum(axis=1) // (2 * every)
+    keep = np.concatenate([[True], np.diff(progress) > 0])
+    keep[-1] = True
+    return path[keep]
+
+
+def _labels(labels: Segmentation, labels_from: str) -> dict[str, Any]:
+    items = [[start / labels.rate, stop / labels.rate, label] for start, stop, label, _ in labels]
+    return {"title": f"Labels in {labels_from}" if labels_from else "Given labels", "items": items}
+
+
+def _lead(pieces: words.Lead) -> list[str | dict[str, str]]:
+    return [{"chip": piece.id} if isinstance(piece, words.Chip) else piece for piece in pieces]
+
+
+def _keeps_still(distances: np.ndarray, clock: dict[str, Any], cap: float, unit: _Unit) -> bool:
+    """Whether the body keeps still for half a second somewhere: a dark block beside the diagonal."""
+    apart = max(1, round(clock["rate"] / 2))
+    beside = np.diagonal(distances, apart) * unit.per_value
+    return bool((beside[np.isfinite(beside)] < 0.15 * cap).any())
+
+
+def _quanta(distances: np.ndarray) -> np.ndarray:
+    return np.where(np.isfinite(distances), np.minimum(np.rint(distances / NEAREST_QUANTUM), 65535), 65535)
+
+
+def _array(values: np.ndarray, kind: str) -> dict[str, Any]:
+    packed = np.ascontiguousarray(values, dtype="<" + kind)
+    return {
+        "type": JS_TYPES[kind],
+        "shape": list(packed.shape),
+        "data": base64.b64encode(packed.tobytes()).decode("ascii"),
+    }

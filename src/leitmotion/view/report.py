@@ -1,0 +1,99 @@
+"""The page: one self-contained HTML file, assembled of its parts.
+
+Conventions
+-----------
+The parts lie in ``page/``: ``page.html``, ``style.css`` and the scripts of ``js/``, which are joined in the order of
+:data:`SCRIPTS` inside one function. The page asks nothing of anywhere: its policy forbids every request and runs the
+one script and the one style sheet whose hashes it names.
+"""
+
+from __future__ import annotations
+
+import base64
+import hashlib
+import html
+import json
+import re
+from importlib.resources import files
+from typing import Any
+
+from leitmotion.body import Body
+from leitmotion.discovery import Patterns
+from leitmotion.motion import Segmentation
+from leitmotion.similarity import SimilarityMatrix
+from leitmotion.view.payload import page_payload
+
+SCRIPTS = (
+    "data", "theme", "state", "words", "space", "figure", "stage", "differences", "cameras",
+    "matrix", "stripes", "pointing", "timeline", "row_strip", "row_lanes", "row_labels", "row_curve",
+    "panel", "table", "sheets", "save", "play", "keys", "main",
+)  # fmt: skip
+"""The parts of the script, in the order in which they are joined: each uses only those before it when it loads."""
+
+
+def report_page(
+    body: Body,
+    patterns: Patterns,
+    matrix: SimilarityMatrix,
+    *,
+    source: dict[str, Any],
+    labels: Segmentation | None = None,
+    labels_from: str = "",
+) -> str:
+    """Draw what recurs in a recording as one HTML page that needs nothing beside it.
+
+    Parameters
+    ----------
+    body : Body
+        The person, at the recording's own rate.
+    patterns : Patterns
+        What recurs; may be none, the page is worth opening all the same.
+    matrix : SimilarityMatrix
+        Every moment of `body` against every other; its rate may be lower than the body's.
+    source : dict
+        Where the recording is from: ``path`` and whatever else the JSON contract tells.
+    labels : Segmentation, optional
+        What someone wrote about the recording, shown beside the finding.
+    labels_from : str
+        The file name of the labels.
+
+    Returns
+    -------
+    str
+        The page.
+
+    Raises
+    ------
+    ParameterError
+        When the matrix is not square or does not cover the body.
+    """
+    payload = page_payload(body, patterns, matrix, source=source, labels=labels, labels_from=labels_from)
+    script, style = _script(), _part("style.css")
+    policy = (
+        f"default-src 'none'; script-src '{_hash(script)}'; style-src '{_hash(style)}'; "
+        "img-src data: blob:; base-uri 'none'; form-action 'none'"
+    )
+    replacements = {
+        "policy": policy,
+        "name": html.escape(payload["source"]["name"]),
+        "title": html.escape(payload["title"]),
+        "style": style,
+        "payload": json.dumps(payload, ensure_ascii=False, separators=(",", ":")).replace("<", "\\u003c"),
+        "script": script,
+    }
+    return re.sub(r"\{\{(\w+)\}\}", lambda slot: replacements[slot[1]], _part("page.html"))
+
+
+def _script() -> str:
+    """All parts inside one function, so that the page's only global is its description of itself."""
+    parts = "\n".join(_part(f"js/{name}.js") for name in SCRIPTS)
+    return f'(() => {{\n"use strict";\n{parts}\n}})();\n'
+
+
+def _part(name: str) -> str:
+    return files("leitmotion.view").joinpath("page", name).read_text(encoding="utf-8")
+
+
+def _hash(text: str) -> str:
+    digest = hashlib.sha256(text.encode("utf-8")).digest()
+    return "sha256-" + base64.b64encode(digest).decode("ascii")
