@@ -10,6 +10,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from leitmotion.io.people import distinct
 from leitmotion.io.reading import Source
 
 _CHANNEL = re.compile(r"([xyz])(position|rotation)$", re.IGNORECASE)
@@ -144,16 +145,10 @@ def glimpse(content: bytes) -> str:
 
 
 def _distinct(joints: list[Joint], warnings: list[str]) -> list[Joint]:
-    """Give joints of one name within a person a number each."""
-    seen: dict[str, int] = {}
-    doubled = []
-    for joint in joints:
-        if joint.parent < 0:
-            seen = {}
-        seen[joint.name] = seen.get(joint.name, 0) + 1
-        if seen[joint.name] > 1:
-            doubled.append(joint.name)
-            joint.name = f"{joint.name}#{seen[joint.name]}"
-    if doubled:
-        warnings.append(f"Names stand twice and were numbered: {', '.join(sorted(set(doubled)))}.")
+    """Number the joints of one name within a person."""
+    roots = [k for k, joint in enumerate(joints) if joint.parent < 0]
+    for first, last in zip(roots, [*roots[1:], len(joints)]):
+        person = joints[first:last]
+        for joint, name in zip(person, distinct([joint.name for joint in person], warnings)):
+            joint.name = name
     return joints

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from leitmotion.io.judge import judge_sides, judge_unit, judge_up, look
+from leitmotion.io.judge import contradict_up, judge_sides, judge_unit, judge_up, look
 from leitmotion.io.reading import Draft, Finding, Options, PointTake, SkeletonTake
 from leitmotion.io.units import METRES, unit_in_metres
 from leitmotion.motion import Motion, ParameterError, Skeleton, Trajectories
@@ -88,7 +88,21 @@ def _up(draft: Draft, options: Options, positions: np.ndarray, take: SkeletonTak
         if axis not in _TO_Y_UP:
             raise ParameterError(f"up must be one of {', '.join(_TO_Y_UP)}, got {options.up!r}.")
         return Finding(axis, "given", "up given by the caller")
-    return draft.up or judge_up(positions, take)
+    judged = judge_up(positions, take)
+    if draft.up is None:
+        return judged
+    better = contradict_up(draft.up, positions)
+    if better is not None:
+        draft.warnings.append(
+            f"The vertical was taken as {better.value}: {better.reason}; --up {draft.up.value} overrules this."
+        )
+        return better
+    if judged.value != draft.up.value and judged.reason.startswith("the head"):
+        draft.warnings.append(
+            f"The vertical was taken as {draft.up.value} ({draft.up.reason}), but the head is above the feet along "
+            f"{judged.value}: if that is right, state it with --up {judged.value}."
+        )
+    return draft.up
 
 
 def _unit(

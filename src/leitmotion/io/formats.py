@@ -53,6 +53,7 @@ def _starts(pattern: bytes) -> Callable[[bytes], bool]:
 
 
 FORMATS = (
+    Format("C3D", (".c3d",), "c3d", lambda head: head[:2] == b"\x02\x50"),
     Format("BVH", (".bvh",), "bvh", _starts(rb"HIERARCHY\b"), writes=True),
     Format("AMC", (".amc",), "asf_amc", _starts(rb"(?:#[^\n]*\n\s*)*:(?:FULLY-SPECIFIED|DEGREES|RADIANS)\b")),
     Format(

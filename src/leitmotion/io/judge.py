@@ -79,6 +79,49 @@ def judge_up(positions: np.ndarray, take: SkeletonTake | PointTake) -> Finding:
     return Finding("y", "guessed", "nothing in the file tells, and Y is the usual vertical")
 
 
+def contradict_up(stated: Finding, positions: np.ndarray) -> Finding | None:
+    """Tell whether a stated vertical cannot be: the body is tall along another axis, and there it has a floor.
+
+    A floor is where the lowest point of the body stays while the body moves; who lies has one along the true vertical,
+    so that lying does not contradict.
+
+    Parameters
+    ----------
+    stated : Finding
+        What the file says.
+    positions : (L, P, 3) float
+        What :func:`look` saw.
+
+    Returns
+    -------
+    Finding or None
+        The vertical that fits instead, None where the stated one may stand.
+    """
+    if positions.shape[-1] != 3 or len(positions) < 8:
+        return None
+    reach = _median(_reach(positions))
+    size = reach.max()
+    seen = np.isfinite(positions)
+    lowest = np.where(seen, positions, np.inf).min(axis=1)
+    highest = np.where(seen, positions, -np.inf).max(axis=1)
+    whole = np.isfinite(lowest).all(axis=1)
+    if size == 0.0 or whole.sum() < 8:
+        return None
+    wander = [
+        np.ptp(np.percentile(edge[whole], (10, 90), axis=0), axis=0) / size for edge in (lowest, highest)
+    ]
+    said, tall = "xyz".index(stated.value[-1]), int(np.argmax(reach))
+    steady = min(wander[0][tall], wander[1][tall])
+    if reach[tall] < 1.8 * reach[said] or steady > 0.05 or min(wander[0][said], wander[1][said]) < 0.1:
+        return None
+    sign = "-" if wander[1][tall] < wander[0][tall] else ""
+    return Finding(
+        f"{sign}{'xyz'[tall]}",
+        "guessed",
+        f"{stated.reason}, but the body is tall along this axis and has its floor there",
+    )
+
+
 def judge_unit(take: SkeletonTake | PointTake, positions: np.ndarray) -> tuple[Finding, str]:
     """Tell the unit from the body's size.
 

@@ -1,0 +1,74 @@
+"""Names of points: whose they are, and how each stays one of a kind."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from leitmotion.io.reading import PointTake
+
+OTHERS = "others"
+"""What the points without a subject are called where others have one."""
+
+
+def split_people(names: list[str], positions: np.ndarray, kind: str = "marker") -> list[PointTake]:
+    """Part points named ``SUBJECT:NAME`` by their subject, and take the subject off the names.
+
+    Parameters
+    ----------
+    names : list of str, P
+        One a point.
+    positions : (T, P, C) float
+        Where each is.
+    kind : {"marker", "joint"}
+        What they are.
+
+    Returns
+    -------
+    list of PointTake
+        One a subject, in the order in which they first appear.
+    """
+    subjects: dict[str, list[int]] = {}
+    for k, name in enumerate(names):
+        subjects.setdefault(name.rpartition(":")[0], []).append(k)
+    if len(subjects) == 1:
+        person = next(iter(subjects))
+        return [PointTake([name.rpartition(":")[2] for name in names], positions, kind, person=person)]
+    return [
+        PointTake(
+            [names[k].rpartition(":")[2] for k in which], positions[:, which], kind, person=person or OTHERS
+        )
+        for person, which in subjects.items()
+    ]
+
+
+def distinct(names: list[str], warnings: list[str]) -> list[str]:
+    """Number the names that stand more than once: ``RKNE``, ``RKNE#2``.
+
+    Parameters
+    ----------
+    names : list of str
+        Names, some of them perhaps doubled.
+    warnings : list of str
+        Gains a sentence where any is.
+
+    Returns
+    -------
+    list of str
+        Names that differ from one another.
+    """
+    counts: dict[str, int] = {}
+    taken = set(names)
+    made = []
+    for name in names:
+        counts[name] = counts.get(name, 0) + 1
+        own = name
+        while counts[name] > 1 and own in taken:
+            own = f"{name}#{counts[name]}"
+            if own in taken:
+                counts[name] += 1
+        taken.add(own)
+        made.append(own)
+    doubled = [name for name, count in counts.items() if count > 1]
+    if doubled:
+        warnings.append(f"Names stand more than once and were numbered: {', '.join(doubled)}.")
+    return made
