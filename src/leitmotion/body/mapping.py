@@ -16,7 +16,7 @@ from leitmotion.body.body import BodyMap
 from leitmotion.body.names import PointName, parse_names
 from leitmotion.body.plausibility import DOUBT, SEGMENTS, doubts
 from leitmotion.body.roles import ROLES
-from leitmotion.body.vocabulary import AXIAL_WORDS, LIMB_WORDS, ON_SKIN, Alternative
+from leitmotion.body.vocabulary import AXIAL_WORDS, BONES, LIMB_WORDS, ON_SKIN, Alternative
 from leitmotion.motion import Motion, Skeleton, Trajectories, forward_kinematics
 
 SAMPLE = 64  # frames that the geometric check looks at, evenly spread
@@ -57,7 +57,8 @@ def find_roles(recording: Motion | Trajectories) -> BodyMap:
     """
     skeleton = recording.skeleton if isinstance(recording, Motion) else None
     names = skeleton.names if skeleton is not None else recording.names  # type: ignore[union-attr]
-    found = _from_names(parse_names(names))
+    on_skin = isinstance(recording, Trajectories) and recording.kind == "marker"
+    found = _from_names(parse_names(names), ignored=BONES if on_skin else frozenset())
     if skeleton is not None:
         _trunk_from_tree(found, skeleton)
     _imply(found)
@@ -65,7 +66,7 @@ def find_roles(recording: Motion | Trajectories) -> BodyMap:
     sampled = _sampled_points(recording)
     geometry = doubts({role: sampled[:, found[role][0]].mean(axis=1) for role in roles})
     tree = _tree_doubts(found, skeleton) if skeleton is not None else {}
-    highest = ON_SKIN if isinstance(recording, Trajectories) and recording.kind == "marker" else 1.0
+    highest = ON_SKIN if on_skin else 1.0
     confidence = [
         min(found[role][1], highest) * geometry.get(role, 1.0) * tree.get(role, 1.0) for role in roles
     ]
@@ -76,8 +77,11 @@ def find_roles(recording: Motion | Trajectories) -> BodyMap:
     )
 
 
-def _from_names(parsed: Sequence[PointName]) -> Found:
-    """Let each role choose, in the vocabulary's order, among the words that are left."""
+def _from_names(parsed: Sequence[PointName], ignored: frozenset[str]) -> Found:
+    """Let each role choose, in the vocabulary's order, among the words that are left.
+
+    The words `ignored` serve in pairs only (``radius ulna`` are two markers beside the wrist).
+    """
     place: dict[PointName, int] = {}
     for i, name in enumerate(parsed):
         place.setdefault(name, i)
@@ -85,7 +89,8 @@ def _from_names(parsed: Sequence[PointName]) -> Found:
     found: Found = {}
     for limb, alternatives in LIMB_WORDS.items():
         for side in ("left", "right"):
-            _choose(f"{side}_{limb}", side, alternatives, place, taken, found)
+            spoken = tuple(one for one in alternatives if one[0] not in ignored)
+            _choose(f"{side}_{limb}", side, spoken, place, taken, found)
     for role, alternatives in AXIAL_WORDS.items():
         _choose(role, "", alternatives, place, taken, found)
     return found

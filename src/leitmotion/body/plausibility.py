@@ -19,9 +19,10 @@ def doubts(points: Mapping[str, np.ndarray]) -> dict[str, float]:
     """Find what the places of the points say against their roles.
 
     Checked are: no bone is without length; a bone is about as long on the left as on the right; the head is
-    farther from the pelvis than the neck is; hips and shoulders agree on which side is left; and, with the
-    trunk upright between pelvis and neck, the toes point where a person faces whose left is where the names
-    say it is. The last finds files whose sides are swapped.
+    farther from the pelvis than the neck is; hips and shoulders agree on which side is left; and the toes point
+    where a person faces whose left is where the names say it is, up being from the pelvis to the neck or, without
+    a neck, from the ankles to the pelvis. The last finds files whose sides are swapped or whose axes are
+    left-handed.
 
     Parameters
     ----------
@@ -55,12 +56,20 @@ def _sides_look_swapped(points: Mapping[str, np.ndarray]) -> bool:
     across = {pair: _between(points, f"right_{pair}", f"left_{pair}") for pair in ("hip", "shoulder")}
     if _median(_dot(across["hip"], across["shoulder"])) < 0:
         return True
-    left, up = across["hip"], _between(points, "pelvis", "neck")
+    left, up = across["hip"], _up(points)
     if left is None or up is None or left.shape[-1] != 3:
         return False
     front = np.cross(left, up)
     feet = [_dot(_between(points, f"{side}_ankle", f"{side}_toe"), front) for side in ("left", "right")]
     return all(_median(foot) < 0 for foot in feet)
+
+
+def _up(points: Mapping[str, np.ndarray]) -> np.ndarray | None:
+    trunk = _between(points, "pelvis", "neck")
+    legs = [_between(points, f"{side}_ankle", "pelvis") for side in ("left", "right")]
+    if trunk is not None or legs[0] is None or legs[1] is None:
+        return trunk
+    return legs[0] + legs[1]
 
 
 def _height(points: Mapping[str, np.ndarray]) -> float:

@@ -21,6 +21,7 @@ CHAIN = {
 
 ARM = {("shoulder", "elbow"): 0.186, ("elbow", "wrist"): 0.146}
 BREADTH = {("left_shoulder", "right_shoulder"): 0.259, ("left_hip", "right_hip"): 0.191}
+"""What speaks for the parts of the chain that are missing, as shares of stature [1]."""
 
 OF_STATURE = sum(CHAIN.values())
 """The whole chain as a share of stature: 0.859."""
@@ -29,9 +30,8 @@ OF_STATURE = sum(CHAIN.values())
 def size_of_body(points: Mapping[str, np.ndarray]) -> float | None:
     """Measure a body: the length of the chain ankle-knee-hip plus pelvis-neck-head.
 
-    Each part is the median over time, the mean of the two sides. A part whose roles are missing counts with
-    its share of the parts that are there [1]; without any of them the arms speak in the same way, then the
-    breadths.
+    Each part is the median over time, the mean of the two sides. A part whose roles are missing takes its share of
+    the stature that the other parts and the arms speak for [1]; the breadths speak only where all else is silent.
 
     Parameters
     ----------
@@ -43,11 +43,11 @@ def size_of_body(points: Mapping[str, np.ndarray]) -> float | None:
     float or None
         In the unit of `points`; None where nothing tells it.
     """
-    for parts in (CHAIN, ARM, BREADTH):
-        lengths = {part: _length(points, part) for part in parts}
-        known = {part: length for part, length in lengths.items() if length is not None}
+    for shares in (CHAIN | ARM, BREADTH):
+        known = {part: length for part in shares if (length := _length(points, part)) is not None}
         if known:
-            return float(sum(known.values()) / sum(parts[part] for part in known) * OF_STATURE)
+            stature = sum(known.values()) / sum(shares[part] for part in known)
+            return float(sum(known.get(part, share * stature) for part, share in CHAIN.items()))
     return None
 
 

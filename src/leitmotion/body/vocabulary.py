@@ -7,7 +7,10 @@ other alone: that is what tells the ``LeftShoulder`` beside a ``LeftArm`` (a cla
 ``LeftElbow`` (the joint itself), and the ``foot`` that is an ankle from the ``foot`` below an ``ankle``.
 
 A number behind an alternative is its confidence: 1 for the joint itself, 0.9 for markers on the skin over it,
-less for a stand-in.
+less for a stand-in. ``fep``, the proximal end of the femur, is what Plug-in-Gait computes for the hip joint.
+
+Words that name a bone (``thigh``, ``forearm``, ``foot``) mean the joint at its proximal end in a skeleton, but a
+marker somewhere on that segment in a marker set, where they say nothing (:data:`BONES`).
 
 References
 ----------
@@ -25,6 +28,7 @@ STAND_IN = 0.5
 LIMB_WORDS: dict[str, tuple[Alternative, ...]] = {
     "hip": (
         *((word, 1.0) for word in ("upleg", "upperleg", "thigh", "femur", "hip", "hipjc")),
+        ("fep", ON_SKIN),
         ("gtr", 0.8),
         *((pair, STAND_IN) for pair in ("asi psi", "asis psis", "fwt bwt", "hipfront hipback")),
         *((one, 0.4) for one in ("asi", "asis", "fwt")),
@@ -96,6 +100,12 @@ AXIAL_WORDS: dict[str, tuple[Alternative, ...]] = {
     ),
 }  # fmt: skip
 """Roles in the body's middle, in the order in which they choose."""
+
+BONES = frozenset((
+    "upleg", "upperleg", "thigh", "femur", "shin", "calf", "tibia", "lowerleg", "lowleg", "leg", "foot",
+    "arm", "upperarm", "uparm", "uarm", "humerus", "forearm", "lowerarm", "lowarm", "farm", "radius",
+))  # fmt: skip
+"""Words that name a bone rather than a joint."""
 
 WORDS = frozenset(
     word.rstrip("*")
