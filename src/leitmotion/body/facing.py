@@ -26,12 +26,11 @@ FAINTEST = 0.2  # of 2: below, the trunk tilts by more than 143 degrees and ever
 def yaw_of_trunk(points: Mapping[str, np.ndarray]) -> np.ndarray | None:
     """Tell which way a body faces.
 
-    The left axis is the sum of the two lines across hips and shoulders, each divided by its median length;
-    where a frame shows one of them only, that one. The up axis runs from the pelvis to the neck (without one
-    of them: to the head, or between the middles of hips and shoulders); where there is none, the left axis
-    alone decides, as for a person who stands. Frames in which the yaw cannot be told (points unseen, trunk
-    upside down) take it from the frames around them, linearly and the shorter way round: the yaw of a body is
-    slow, and only the yaw is filled, never a position.
+    The left axis is the sum of the directions across hips and shoulders; where a frame shows one of them only, that
+    one. The up axis runs from the pelvis to the neck (without one of them: to the head, or between the middles of
+    hips and shoulders); where there is none, the left axis alone decides, as for a person who stands. Frames in which
+    the yaw cannot be told (points unseen, trunk upside down) take it from the frames around them, linearly and the
+    shorter way round: the yaw of a body is slow, and only the yaw is filled, never a position.
 
     Parameters
     ----------
@@ -65,10 +64,7 @@ def _left_axis(points: Mapping[str, np.ndarray]) -> np.ndarray | None:
     lines = []
     for pair in ("hip", "shoulder"):
         if f"left_{pair}" in points and f"right_{pair}" in points:
-            line = points[f"left_{pair}"] - points[f"right_{pair}"]
-            length = np.linalg.norm(line, axis=1)
-            if np.isfinite(length).any() and np.nanmedian(length) > 0:
-                lines.append(line / np.nanmedian(length))
+            lines.append(_unit(points[f"left_{pair}"] - points[f"right_{pair}"]))
     if not lines:
         return None
     both = np.stack(lines)

@@ -55,10 +55,8 @@ def posture(body: Body, *, roles: Sequence[str] | None = None) -> FeatureSequenc
     chosen = choose_roles(body, roles)
     width = body.positions.shape[2]
     positions = body.positions[:, [body.roles.index(role) for role in chosen]]
-    horizontal = [0, 2] if width == 3 else [0]
-    centred = positions.copy()
-    centred[..., horizontal] -= centre(body)[:, None, horizontal]
-    values = turn_to_front(centred, body.facing) / body.size
+    place = centre(body) * [1.0, 0.0, 1.0][:width]  # an unseen centre hides heights, too: 0 NaN = NaN
+    values = turn_to_front(positions - place[:, None], body.facing) / body.size
     told = ("yaw",) if knows_facing(body) else ()
     return FeatureSequence(
         values=values.reshape(len(values), -1),

@@ -1,0 +1,55 @@
+"""The features by name: each is what it says."""
+
+import numpy as np
+import pytest
+
+from leitmotion.body import embody, find_roles
+from leitmotion.features import FEATURES, extract, posture
+from leitmotion.motion import Motion, ParameterError, Trajectories
+from oracles.body import human, moved, points_of, scaled
+
+SUIT = {"Spine1": "T10", "LeftArm": "LSHO", "RightArm": "RSHO", "LeftLeg": "LKNE", "RightLeg": "RKNE"}
+CHANGED = {
+    "place": lambda motion: moved(motion, yaw=0.0, by=[2.0, 0.0, -5.0]),
+    "yaw": lambda motion: moved(motion, yaw=1.9, by=[0.0, 0.0, 0.0]),
+    "body_size": lambda motion: scaled(motion, 0.8),
+    "unit": lambda motion: scaled(motion, 100.0),
+}
+
+
+@pytest.mark.parametrize("name", FEATURES)
+def test_invariances_hold_as_listed(name, rng):
+    motion = human(rng)
+    feature = FEATURES[name]
+
+    def described(motion):
+        source = points_of(motion, SUIT, kind="marker") if feature.takes is Trajectories else motion
+        return extract(name, source)
+
+    own = described(motion)
+    assert own.invariant_to == feature.invariant_to
+    for what, change in CHANGED.items():
+        same = np.allclose(described(change(motion)).values, own.values)
+        assert same == (what in feature.invariant_to), what
+
+
+def test_every_function_has_its_line():
+    for name, feature in FEATURES.items():
+        assert feature.compute.__name__ == name
+        assert feature.compute.__doc__
+        assert feature.summary
+
+
+def test_a_recording_or_its_body(rng):
+    motion = human(rng)
+    assert extract("posture", motion) == extract("posture", embody(motion)) == posture(embody(motion))
+    assert extract("posture", motion, find_roles(motion), roles=["head"]).names == ("head",)
+
+
+def test_errors_help(rng):
+    motion = human(rng)
+    with pytest.raises(ParameterError, match="Did you mean posture"):
+        extract("postures", motion)
+    with pytest.raises(ParameterError, match="describes Motion, got Trajectories"):
+        extract("joint_rotations", points_of(motion))
+    assert isinstance(motion, Motion)
