@@ -30,7 +30,8 @@ FULL_SIZE = 1.5
 PATH_RATE = 15.0
 CAP_PERCENTILE = 60
 NEAREST_QUANTUM = 1e-4
-STRIP_COUNTS = (3, 4, 6, 8, 10, 13, 16)
+STRIP_COUNTS = (*range(3, 15), 16, 18)
+HEAD_TOP = 0.14
 JS_TYPES = {
     "i2": "Int16Array",
     "i4": "Int32Array",
@@ -79,11 +80,11 @@ def page_payload(
     _check(body, matrix)
     unit = _Unit(body, matrix)
     step = max(1, int(np.ceil(body.rate / DRAWN_RATE - 1e-6)))
-    clock = {"frames": len(range(0, len(body), step)), "rate": body.rate / step}
-    rows = _rows_at(matrix, clock["frames"], clock["rate"])
+    frames, rate = len(range(0, len(body), step)), body.rate / step
+    rows = _rows_at(matrix, frames, rate)
     distances = _at(matrix.values, rows)
     cap = _distance_cap(distances, unit)
-    near_frames, near_distances = find_nearest(distances, clock["rate"], cap=cap / unit.per_value)
+    near_frames, near_distances = find_nearest(distances, rate, cap=cap / unit.per_value)
     seconds = len(body) / body.rate
     strips = choose_strips(distances, STRIP_COUNTS)
     return {
@@ -97,8 +98,8 @@ def page_payload(
             "rate": body.rate,
             "seconds": seconds,
         },
-        "clock": clock,
-        "body": _body(body, step, unit, matrix),
+        "clock": {"frames": frames, "rate": rate},
+        "body": _body(body, step, unit, patterns),
         "distance": {"factor": unit.shown, "unit": unit.word, "cap": cap},
         "matrix": _matrix(matrix, cap, unit),
         "nearest": {
@@ -106,13 +107,13 @@ def page_payload(
             "distances": _array(_quanta(near_distances * unit.per_value), "u2"),
             "quantum": NEAREST_QUANTUM,
         },
-        "patterns": [_pattern(p, distances, rows, clock) for p in patterns.patterns],
+        "patterns": [_pattern(p, distances, rate) for p in patterns.patterns],
         "stripes": _stripes(patterns),
         "labels": None if labels is None else _labels(labels, labels_from),
         "strips": [_array(frames, "i4") for frames in strips],
         "empty": None
         if len(patterns)
-        else words.empty_text(patterns, still=_keeps_still(distances, clock, cap, unit)),
+        else words.empty_text(patterns, still=_keeps_still(distances, rate, cap, unit)),
         "looked_for": words.looked_for(patterns),
     }
 
@@ -173,7 +174,7 @@ def _distance_cap(distances: np.ndarray, unit: _Unit) -> float:
     return float(max(unit.floor, np.ceil(typical / unit.round - 1e-9) * unit.round)) / unit.shown
 
 
-def _body(body: Body, step: int, unit: _Unit, matrix: SimilarityMatrix) -> dict[str, Any]:
+def _body(body: Body, step: int, unit: _Unit, patterns: Patterns) -> dict[str, Any]:
     drawn = body.positions[::step] * unit.draw
     flat = drawn.shape[2] == 2
     if flat:
@@ -194,7 +195,7 @@ def _body(body: Body, step: int, unit: _Unit, matrix: SimilarityMatrix) -> dict[
         "flat": flat,
         "metres": body.unit == "m",
         "girth": size / FULL_SIZE,
-        "height": _height(drawn),
+        "height": _height(drawn) + (HEAD_TOP * size / FULL_SIZE if "head" in index else 0.0),
         "floor": floor_height(drawn, size / FULL_SIZE),
         "yaw": 0.0 if flat else look_across(drawn, body.facing[::step]),
         "positions": _millimetres(drawn),
@@ -243,9 +244,7 @@ def _matrix(matrix: SimilarityMatrix, cap: float, unit: _Unit) -> dict[str, Any]
     }
 
 
-def _pattern(
-    pattern: Pattern, distances: np.ndarray, rows: np.ndarray, clock: dict[str, Any]
-) -> dict[str, Any]:
+def _pattern(pattern: Pattern, distances: np.ndarray, rate: float) -> dict[str, Any]:
     head, sub = words.lane_head(pattern)
     spans = pattern.stretches
     return {
@@ -257,7 +256,7 @@ def _pattern(
         "cost": pattern.cost,
         "head": head,
         "sub": sub,
-        "key": choose_key(pattern, distances, clock["rate"]),
+        "key": choose_key(pattern, distances, rate),
         "stretches": [
             {
                 "start": float(start / spans.rate),
@@ -302,9 +301,9 @@ def _lead(pieces: words.Lead) -> list[str | dict[str, str]]:
     return [{"chip": piece.id} if isinstance(piece, words.Chip) else piece for piece in pieces]
 
 
-def _keeps_still(distances: np.ndarray, clock: dict[str, Any], cap: float, unit: _Unit) -> bool:
+def _keeps_still(distances: np.ndarray, rate: float, cap: float, unit: _Unit) -> bool:
     """Whether the body keeps still for half a second somewhere: a dark block beside the diagonal."""
-    apart = max(1, round(clock["rate"] / 2))
+    apart = max(1, round(rate / 2))
     beside = np.diagonal(distances, apart) * unit.per_value
     return bool((beside[np.isfinite(beside)] < 0.15 * cap).any())
 

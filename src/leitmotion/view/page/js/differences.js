@@ -23,7 +23,8 @@ function drawSides(pen, camera) {
     if (!known(hand, elbow)) return null;
     const [h, e] = [hand, elbow].map((p) => project(camera, p[0], p[1], p[2], {}));
     const length = Math.hypot(h.x - e.x, h.y - e.y) || 1;
-    return { side, x: h.x + (12 * (h.x - e.x)) / length, y: h.y + (12 * (h.y - e.y)) / length };
+    const at = { side, x: h.x + (12 * (h.x - e.x)) / length, y: h.y + (12 * (h.y - e.y)) / length };
+    return besideTrunk(camera, at);
   });
   const [l, r] = hands;
   if (l && r && Math.hypot(l.x - r.x, l.y - r.y) < 15) {
@@ -36,6 +37,18 @@ function drawSides(pen, camera) {
     const colour = hand.side === "left" ? theme.tokens.left : theme.tokens.ink;
     label(pen, hand.side === "left" ? "L" : "R", hand.x, hand.y, colour, { align: "center", size: 11.5 });
   }
+}
+
+// A letter never stands on the trunk: it moves to the nearer side of it.
+function besideTrunk(camera, at) {
+  const corners = ["left_shoulder", "right_shoulder", "left_hip", "right_hip"].map((role) => pointOf(posture, role));
+  if (!known(...corners)) return at;
+  const seen = corners.map((p) => project(camera, p[0], p[1], p[2], {}));
+  const edge = (TORSO_STROKE / 2) * clip.girth * seen[0].scale + 9;
+  const [low, high] = [Math.min(...seen.map((p) => p.x)) - edge, Math.max(...seen.map((p) => p.x)) + edge];
+  const [top, foot] = [Math.min(...seen.map((p) => p.y)) - edge, Math.max(...seen.map((p) => p.y)) + edge];
+  if (at.x > low && at.x < high && at.y > top && at.y < foot) at.x = at.x - low < high - at.x ? low : high;
+  return at;
 }
 
 // Joint to joint, filled at 1 and hollow at 2; the three largest with a name and a number, three more thin.

@@ -10,7 +10,8 @@
     element,
     layout() {
       track.replaceChildren();
-      given.items.forEach(([start, stop, word], k) => {
+      given.items.forEach(([start, stop, label], k) => {
+        const word = label.replaceAll("_", " ");
         const next = k + 1 < given.items.length ? given.items[k + 1][0] : Math.max(stop, clip.seconds);
         const room = across(next - start);
         const item = make("span", "given", room > 9 + word.length * 6.2 ? make("span", "", word) : "", { title: `${word}, ${clockWord(start)} to ${clockWord(stop)}` });

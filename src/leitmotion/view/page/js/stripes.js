@@ -17,6 +17,7 @@ function drawStripes(pen) {
   ];
   layers.forEach((layer, chosen) => {
     const drawn = layer.map((stripe) => ({ stripe, path: stripePath(stripe, scale) }));
+    pen.globalAlpha = 1;
     if (chosen) {
       pen.strokeStyle = theme.tokens.surface;
       for (const { stripe, path } of drawn) {
@@ -36,11 +37,14 @@ function drawStripes(pen) {
 
 function stripePath({ path, length }, scale) {
   const line = new Path2D();
-  for (let k = 0; k < length; k++) {
-    const [x, y] = [field.left + path[2 * k + 1] * scale, field.upper + path[2 * k] * scale];
-    if (k) line.lineTo(x, y);
-    else line.moveTo(x, y);
+  const at = (k) => [field.left + path[2 * k + 1] * scale, field.upper + path[2 * k] * scale];
+  line.moveTo(...at(0));
+  // A path turns in whole frames: rounded between the middles of its steps.
+  for (let k = 1; k < length - 1; k++) {
+    const [here, next] = [at(k), at(k + 1)];
+    line.quadraticCurveTo(...here, (here[0] + next[0]) / 2, (here[1] + next[1]) / 2);
   }
+  line.lineTo(...at(length - 1));
   return line;
 }
 

@@ -81,7 +81,7 @@ function seekable(element) {
     element,
     layout(width, step) {
       track.replaceChildren();
-      const minor = TICKS.filter((t) => t < step && (t / clip.seconds) * width >= 12 && Math.abs(step / t - Math.round(step / t)) < 1e-6)[0] || step;
+      const minor = TICKS.filter((t) => t < step && (t / clip.seconds) * width >= 20 && Math.abs(step / t - Math.round(step / t)) < 1e-6)[0] || step;
       for (let k = 0; k * minor < clip.seconds - 1e-6; k++) {
         const time = k * minor;
         const major = Math.abs(time / step - Math.round(time / step)) < 1e-6;
