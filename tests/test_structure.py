@@ -2,6 +2,8 @@
 
 import ast
 import importlib
+import inspect
+import re
 import subprocess
 import sys
 from pathlib import Path
@@ -78,10 +80,16 @@ def test_what_a_room_promises_is_there(name):
 @pytest.mark.parametrize("name", ["leitmotion", *(f"leitmotion.{room}" for room in ROOMS)])
 def test_what_a_room_shows_is_documented(name):
     room = importlib.import_module(name)
-    bare = [
-        each for each in room.__all__ if callable(getattr(room, each)) and not getattr(room, each).__doc__
+    shown = {each: getattr(room, each) for each in room.__all__ if callable(getattr(room, each))}
+    assert [each for each, what in shown.items() if not what.__doc__] == []
+    silent = [
+        f"{each}({parameter})"
+        for each, what in shown.items()
+        if inspect.isfunction(what) and not re.search(r"\b[Aa]s (in|for) :func:", what.__doc__)
+        for parameter in inspect.signature(what).parameters
+        if not re.search(rf"\b{parameter}\b", what.__doc__)
     ]
-    assert bare == []
+    assert silent == []
 
 
 def constants_classes_functions(name: str) -> tuple[int, str]:
