@@ -4,7 +4,7 @@ from leitmotion.body.body import Body, BodyMap
 from leitmotion.body.embody import embody
 from leitmotion.body.mapfile import map_from, map_to_entries
 from leitmotion.body.mapping import find_roles
-from leitmotion.body.roles import ANALYSIS_ROLES, LINKS, ROLES, mirror_role
+from leitmotion.body.roles import ANALYSIS_ROLES, LINKS, ROLES, links_between, mirror_role
 
 __all__ = [
     "ANALYSIS_ROLES",
@@ -14,6 +14,7 @@ __all__ = [
     "BodyMap",
     "embody",
     "find_roles",
+    "links_between",
     "map_from",
     "map_to_entries",
     "mirror_role",

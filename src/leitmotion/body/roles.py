@@ -4,6 +4,10 @@ A role names a place: ``left_shoulder`` is the joint at the proximal end of the 
 knuckles, ``left_toe`` the ball of the foot. ``left`` is the person's left.
 """
 
+from __future__ import annotations
+
+from collections.abc import Collection
+
 AXIAL_ROLES = ("pelvis", "spine", "chest", "neck", "head")
 LIMB_ROLES = ("clavicle", "shoulder", "elbow", "wrist", "hand", "hip", "knee", "ankle", "toe")
 ROLES = AXIAL_ROLES + tuple(f"{side}_{limb}" for side in ("left", "right") for limb in LIMB_ROLES)
@@ -27,6 +31,44 @@ LINKS = (
     ),
 )  # fmt: skip
 """Pairs of roles that a bone joins."""
+
+
+ABOVE = {below: above for above, below in LINKS}
+"""The role that each role hangs on."""
+
+
+def links_between(roles: Collection[str]) -> tuple[tuple[str, str], ...]:
+    """Join the roles that a body has, over the gaps that missing ones leave.
+
+    Each role is joined to the nearest one above it; a shoulder whose clavicle and chest are missing to the neck.
+
+    Parameters
+    ----------
+    roles : collection of str
+        The roles of a body; names that are no roles are joined to nothing.
+
+    Returns
+    -------
+    tuple of pair of str
+        Pairs (upper, lower) that a line should join.
+
+    Examples
+    --------
+    >>> links_between(["pelvis", "neck", "left_shoulder", "left_elbow", "left_knee"])
+    (('pelvis', 'neck'), ('neck', 'left_shoulder'), ('left_shoulder', 'left_elbow'), ('pelvis', 'left_knee'))
+    """
+    joined = []
+    for role in (role for role in ROLES if role in roles):
+        above = ABOVE.get(role)
+        while above is not None and above not in roles:
+            above = (
+                "neck"
+                if above == "chest" and role not in AXIAL_ROLES and "neck" in roles
+                else ABOVE.get(above)
+            )
+        if above is not None:
+            joined.append((above, role))
+    return tuple(joined)
 
 
 def mirror_role(role: str) -> str:

@@ -11,12 +11,12 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from leitmotion.body import ANALYSIS_ROLES, LINKS, BodyMap, find_roles
+from leitmotion.body import ANALYSIS_ROLES, BodyMap, find_roles
+from leitmotion.body.roles import ABOVE
 from leitmotion.features.sequence import FeatureSequence
 from leitmotion.motion import DataError, Motion, ParameterError, forward_kinematics
 from leitmotion.motion.rotations import conjugate, multiply, yaw_rotation
 
-ABOVE = {below: above for above, below in LINKS}
 RADIANS = 2.0  # |p - q| = 2 sin(angle / 4): half the angle, to 3 % up to 100 degrees
 
 
