@@ -166,16 +166,19 @@ def scan_rows(text, i, delimiter, pad, values, doubts):
                 continue
             token = i
             value, i, exact = scan_number(text, i, n, delimiter)
+            if delimiter != _SPACE:
+                i = _skip_space(text, i, n) if delimiter != _TAB else _skip_only(text, i, n)
+                while i < n and text[i] != delimiter and text[i] != _LF:  # a cell of several words
+                    exact = False
+                    i += 1
             values[row, column] = value
             if not exact:
                 doubts[doubtful, 0] = row * columns + column
                 doubts[doubtful, 1] = token
                 doubts[doubtful, 2] = i
                 doubtful += 1
-            if delimiter != _SPACE:
-                i = _skip_space(text, i, n) if delimiter != _TAB else _skip_only(text, i, n)
-                if i < n and text[i] == delimiter:
-                    i += 1
+            if delimiter != _SPACE and i < n and text[i] == delimiter:
+                i += 1
         while i < n and text[i] != _LF:
             if not _ends(text[i], delimiter):
                 return row, doubtful, TOO_MANY, start, columns
@@ -185,12 +188,12 @@ def scan_rows(text, i, delimiter, pad, values, doubts):
 
 @njit(cache=True)
 def _ends(c, delimiter):
-    return c == _SPACE or c == _LF or c == _TAB or c == _CR or c == delimiter
+    return c == _SPACE or c == _LF or c == _TAB or c == _CR or c == delimiter  # noqa: SIM109
 
 
 @njit(cache=True)
 def _skip_space(text, i, n):
-    while i < n and (text[i] == _SPACE or text[i] == _TAB or text[i] == _CR):
+    while i < n and (text[i] == _SPACE or text[i] == _TAB or text[i] == _CR):  # noqa: SIM109
         i += 1
     return i
 
@@ -204,7 +207,7 @@ def _skip_only(text, i, n):
 
 @njit(cache=True)
 def _skip_blank(text, i, n):
-    while i < n and (text[i] == _SPACE or text[i] == _TAB or text[i] == _CR or text[i] == _LF):
+    while i < n and (text[i] == _SPACE or text[i] == _TAB or text[i] == _CR or text[i] == _LF):  # noqa: SIM109
         i += 1
     return i
 

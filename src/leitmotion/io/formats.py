@@ -56,6 +56,8 @@ FORMATS = (
     Format("C3D", (".c3d",), "c3d", lambda head: head[:2] == b"\x02\x50"),
     Format("BVH", (".bvh",), "bvh", _starts(rb"HIERARCHY\b"), writes=True),
     Format("AMC", (".amc",), "asf_amc", _starts(rb"(?:#[^\n]*\n\s*)*:(?:FULLY-SPECIFIED|DEGREES|RADIANS)\b")),
+    Format("TRC", (".trc",), "trc", _starts(rb"PathFileType\b")),
+    Format("table", (".csv", ".tsv"), "table"),
     Format(
         "archive", (".npz",), "archive", lambda head: head.startswith(b"PK\x03\x04header.npy"), writes=True
     ),

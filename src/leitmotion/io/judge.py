@@ -19,7 +19,25 @@ _LOOKS = 32  # frames looked at
 _UPRIGHT = 0.8  # share of the way from feet to head that must lie along one axis
 
 _HIGH = ("head", "fhd", "bhd", "neck", "c7", "clav", "shoulder", "sho", "acro", "chest", "thorax", "ster")
-_LOW = ("foot", "feet", "toe", "ankle", "heel", "ank", "hee", "mt1", "mt2", "mt5", "shank", "tibia", "knee")
+_LOW = (
+    "foot",
+    "feet",
+    "toe",
+    "ankle",
+    "heel",
+    "ank",
+    "hee",
+    "mt1",
+    "mt2",
+    "mt5",
+    "shank",
+    "tibia",
+    "knee",
+    "hip",
+    "asi",
+    "psi",
+    "sacr",
+)
 
 
 def look(take: SkeletonTake | PointTake) -> np.ndarray:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -26,6 +27,8 @@ MISSING_WORDS = frozenset(
 )
 """What programs write where a number is missing, in lower case and without sign."""
 
+_ROOM = 64  # how many numbers a byte of a table may stand for before it is refused
+
 
 class Rows(NamedTuple):
     """A block of numbers read from text."""
@@ -43,7 +46,13 @@ def as_bytes(content: bytes) -> np.ndarray:
 
 
 def read_rows(
-    source: Source, start: int, columns: int, *, delimiter: str = " ", missing: bool = False
+    source: Source,
+    start: int,
+    columns: int,
+    *,
+    delimiter: str = " ",
+    missing: bool = False,
+    wanted: Sequence[int] | None = None,
 ) -> Rows:
     """Read the lines from byte `start` on as rows of `columns` numbers each.
 
@@ -58,7 +67,10 @@ def read_rows(
     delimiter : str
         What divides them; a space stands for any run of blanks.
     missing : bool
-        Whether empty cells and the words in :data:`MISSING_WORDS` are NaN; else they are errors.
+        Whether empty cells, the words in :data:`MISSING_WORDS` and the last cells of a short row are NaN; else they
+        are errors.
+    wanted : sequence of int, optional
+        The columns that must be numbers; words in others are NaN.
 
     Returns
     -------
@@ -72,18 +84,25 @@ def read_rows(
     """
     from leitmotion.io import _kernels
 
-    text = as_bytes(source.content)
-    capacity = source.content.count(b"\n", start) + 1
+    content = source.content
+    capacity = content.count(b"\n", start) + 1
+    if not missing:
+        capacity = min(capacity, len(content) // (2 * columns) + 1)
+    elif capacity * columns > _ROOM * len(content) + 1_000_000:
+        raise source.error(f"expected rows of {columns} numbers, found rows that are mostly empty.")
     values = np.empty((capacity, columns))
     doubts = np.empty((capacity * columns, 3), dtype=np.int64)
     rows, doubtful, status, stopped, column = _kernels.scan_rows(
-        text, start, ord(delimiter), missing, values, doubts
+        as_bytes(content), start, ord(delimiter), missing, values, doubts
     )
-    settle(source, values, doubts[:doubtful], missing=missing)
+    inside = doubts[:doubtful]
+    if wanted is not None:
+        inside = inside[np.isin(inside[:, 0] % columns, list(wanted))]
+    settle(source, values, inside[inside[:, 0] < rows * columns], missing=missing)
     if status in (_kernels.TOO_FEW, _kernels.TOO_MANY):
-        found = "more" if status == _kernels.TOO_MANY else f"{column}"
-        last = not source.content[stopped:].partition(b"\n")[2].strip()
-        if not (last and status == _kernels.TOO_FEW):
+        last = not content[stopped:].partition(b"\n")[2].strip()
+        if status == _kernels.TOO_MANY or not last:
+            found = "more" if status == _kernels.TOO_MANY else f"{column}"
             raise source.fault(stopped, f"{columns} numbers in the row", found)
         status = _kernels.CUT
     return Rows(values[:rows], bool(status == _kernels.CUT))
@@ -110,7 +129,7 @@ def settle(source: Source, values: np.ndarray, doubts: np.ndarray, *, missing: b
     """
     flat = values.reshape(-1)
     for place, start, stop in doubts.tolist():
-        token = source.content[start:stop]
+        token = source.content[start:stop].strip()
         try:
             number = np.nan if b"_" in token else float(token)
         except ValueError:

@@ -1,0 +1,169 @@
+"""CSV and TSV: tables of points, a row a frame, a column a coordinate.
+
+The header names the columns: ``time, NAME_x, NAME_y, NAME_z``, or with a dot, a blank, brackets or nothing between name
+and letter, or letter and number (``X1, Y1, Z1``). Points without a third column lie in a plane. ``NAME_c``,
+``NAME_confidence``, ``NAME_likelihood`` or ``NAME_visibility`` is how sure the source was. Other columns are left out,
+by name. Lines that begin with # are comments. An empty cell, NaN and their kin are points unseen.
+"""
+
+from __future__ import annotations
+
+import csv
+import io
+import re
+from dataclasses import replace
+
+import numpy as np
+
+from leitmotion.io.numerals import read_rows
+from leitmotion.io.people import split_people
+from leitmotion.io.reading import Draft, Finding, Source
+from leitmotion.io.timing import rate_of_times
+
+_SUFFIX = re.compile(r"^(?P<name>.*?)(?P<mark>[\s_.:\-\[(]*)(?P<letter>[xyzXYZ])[\])]?$")
+_PREFIX = re.compile(r"^(?P<letter>[xyzXYZ])[_\s]?(?P<name>\d+)$")
+_SURE = re.compile(r"^(?P<name>.+?)[\s_.:]+(?:c|conf|confidence|likelihood|visibility|score)$", re.IGNORECASE)
+_TIMES = ("time", "t", "time_s", "time_ms", "time_us", "times", "timestamp", "timestamp_ms", "seconds", "time[s]",
+          "time (s)")  # fmt: skip
+_FRAMES = ("frame", "frame#", "frames", "index", "")
+_JOINTS = ("shoulder", "elbow", "wrist", "hip", "knee", "ankle", "spine", "neck", "hand")
+_PIXELS = 20.0  # coordinates in a plane beyond this are pixels
+
+
+def read(source: Source) -> Draft:
+    """Read a table of points.
+
+    Parameters
+    ----------
+    source : Source
+        The file.
+
+    Returns
+    -------
+    Draft
+        One person a name before a colon, else one.
+
+    Raises
+    ------
+    FormatError
+        When the header names no points, a cell is no number or nothing tells the rate.
+    """
+    warnings: list[str] = []
+    source, start, header, delimiter = _header(source)
+    columns, sure, left = _columns(header)
+    if not columns:
+        raise source.error(
+            f"expected columns such as NAME_x, NAME_y, NAME_z, found {', '.join(header[:6])}.",
+            remedy="Name the columns of the table in its first line.",
+        )
+    flat = len(next(iter(columns.values()))) == 2
+    time = next((k for k, word in enumerate(header) if word.lower() in _TIMES), None)
+    wanted = (
+        [k for triple in columns.values() for k in triple]
+        + list(sure.values())
+        + ([] if time is None else [time])
+    )
+    rows = read_rows(source, start, len(header), delimiter=delimiter, missing=True, wanted=wanted)
+    if len(rows.values) == 0:
+        raise source.error("expected a row a frame after the header, found none.")
+    left = [word for word in left if word.lower() not in _TIMES + _FRAMES]
+    if left:
+        warnings.append(f"{len(left)} columns that are no points were left out: {', '.join(left[:8])}.")
+    names = list(columns)
+    positions = rows.values[:, [columns[name] for name in names]]
+    positions[~np.isfinite(positions).all(axis=-1)] = np.nan
+    takes = split_people(names, positions, _kind(names))
+    if sure and len(takes) == 1:
+        takes[0].confidence = _confidence(rows.values, names, sure)
+    return Draft(
+        takes,
+        rate=_rate(source, rows.values, time, header, warnings),
+        unit=_plane_unit(positions) if flat else None,
+        warnings=warnings,
+    )
+
+
+def _header(source: Source) -> tuple[Source, int, list[str], str]:
+    """The file with plain cells, the byte after the header, its columns, what divides them."""
+    content = source.content.removeprefix(b"\xef\xbb\xbf")
+    position = 0
+    while content[position : position + 1] in (b"#", b"\n", b"\r"):
+        position = content.find(b"\n", position) + 1
+        if position == 0:
+            raise source.error("expected a header, found comments only.")
+    stop = content.find(b"\n", position)
+    if stop < 0:
+        raise source.error("expected a header and a row a frame, found one line.")
+    line = content[position:stop].decode("utf-8", "replace").strip("\r")
+    delimiter = max("\t,;", key=line.count)
+    if delimiter not in line:
+        delimiter = " "
+    if b'"' in content:
+        content, position = _unquoted(content[position:], delimiter), 0
+        stop = content.find(b"\n")
+        line = content[:stop].decode("utf-8", "replace")
+    header = line.split() if delimiter == " " else [cell.strip() for cell in line.split(delimiter)]
+    if delimiter == ";":  # where a semicolon divides, a comma is a decimal point
+        content = content[:stop] + content[stop:].replace(b",", b".")
+    return replace(source, content=content), stop + 1, header, delimiter
+
+
+def _unquoted(content: bytes, delimiter: str) -> bytes:
+    rows = csv.reader(io.StringIO(content.decode("utf-8", "replace"), newline=""), delimiter=delimiter)
+    lines = (delimiter.join(re.sub(rf"[{delimiter}\r\n]", " ", cell) for cell in row) for row in rows)
+    return ("\n".join(lines) + "\n").encode("utf-8")
+
+
+def _columns(header: list[str]) -> tuple[dict[str, list[int]], dict[str, int], list[str]]:
+    """Columns of each point's coordinates, of its confidence, and the names of columns that are neither."""
+    found: dict[str, dict[str, int]] = {}
+    for k, word in enumerate(header):
+        match = _PREFIX.match(word) or _SUFFIX.match(word)
+        if match and match["name"]:
+            found.setdefault(match["name"], {}).setdefault(match["letter"].lower(), k)
+    solid = any(len(letters) == 3 for letters in found.values())
+    letters = "xyz" if solid else "xy"
+    columns = {
+        name: [places[letter] for letter in letters]
+        for name, places in found.items()
+        if places.keys() >= set(letters)
+    }
+    sure = {}
+    for k, word in enumerate(header):
+        match = _SURE.match(word)
+        if match and match["name"] in columns:
+            sure[match["name"]] = k
+    used = {k for triple in columns.values() for k in triple} | set(sure.values())
+    return columns, sure, [word for k, word in enumerate(header) if k not in used]
+
+
+def _confidence(values: np.ndarray, names: list[str], sure: dict[str, int]) -> np.ndarray:
+    columns = [values[:, sure[name]] if name in sure else np.ones(len(values)) for name in names]
+    return np.clip(np.nan_to_num(np.stack(columns, axis=1), nan=0.0), 0.0, 1.0)
+
+
+def _rate(
+    source: Source, values: np.ndarray, time: int | None, header: list[str], warnings: list[str]
+) -> Finding:
+    if time is not None:
+        return rate_of_times(source, values[:, time], header[time], warnings)
+    stated = re.search(
+        rb"^#[^\n]*?\b(?:rate|fps|frequency)\b\s*[:=]?\s*([\d.]+)", source.content, re.I | re.M
+    )
+    if stated:
+        return Finding(float(stated[1]), "read", "stated in a comment")
+    if source.options.rate is not None:
+        return Finding(float(source.options.rate), "given", "rate given by the caller")
+    raise source.error("expected a column of times, found none.", remedy="State the rate with --rate HZ.")
+
+
+def _plane_unit(positions: np.ndarray) -> Finding:
+    seen = np.abs(positions[np.isfinite(positions)])
+    if seen.size and seen.max() > _PIXELS:
+        return Finding("px", "guessed", "points in a plane with coordinates as large as pixels")
+    return Finding("relative", "guessed", "points in a plane with coordinates too small for pixels")
+
+
+def _kind(names: list[str]) -> str:
+    named = sum(any(joint in name.lower() for joint in _JOINTS) for name in names)
+    return "joint" if 2 * named > len(names) else "marker"

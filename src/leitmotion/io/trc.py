@@ -1,0 +1,121 @@
+"""TRC: tables of markers as motion analysis programs and OpenSim write them.
+
+Five lines of header (the third states rate and unit, the fourth names the markers, each over three columns), then a row
+a frame: its number, its time and three numbers a marker; an empty cell is a marker unseen. Tabs, commas or blanks
+divide. TRC states no vertical.
+"""
+
+from __future__ import annotations
+
+import re
+
+import numpy as np
+
+from leitmotion.io.numerals import read_rows
+from leitmotion.io.people import distinct, split_people
+from leitmotion.io.reading import Draft, Finding, Source
+from leitmotion.io.timing import rate_of_times
+from leitmotion.io.units import unit_named
+
+
+def read(source: Source) -> Draft:
+    """Read a TRC.
+
+    Parameters
+    ----------
+    source : Source
+        The file.
+
+    Returns
+    -------
+    Draft
+        One person a subject prefix, else one.
+
+    Raises
+    ------
+    FormatError
+        When the header or a row is not what the format says; it names the line.
+    """
+    warnings: list[str] = []
+    lines, borders = _first_lines(source)
+    facts = {
+        key.lower(): value
+        for key, value in zip(re.split(r"[\s,;]+", lines[1].strip()), re.split(r"[\s,;]+", lines[2].strip()))
+    }
+    delimiter = next((mark for mark in "\t,;" if mark in lines[3]), " ")
+    cells = [cell.strip() for cell in (lines[3].split() if delimiter == " " else lines[3].split(delimiter))]
+    if not cells or not cells[0].lower().startswith("frame"):
+        raise source.fault(borders[3], "the columns Frame#, Time and the markers", repr(lines[3][:40]))
+    names = [cell for cell in cells[2:] if cell]
+    if not names:
+        raise source.fault(borders[3], "names of markers", "none")
+    start = borders[5]
+    while True:  # between header and rows stand blank lines, or lines of nothing but delimiters
+        stop = source.content.find(b"\n", start)
+        line = source.content[start : stop if stop >= 0 else None]
+        if line.strip(b" \t\r,;") or stop < 0:
+            break
+        start = stop + 1
+    named = 2 + 3 * len(names)
+    columns = max(named, _widest(source.content[start:], delimiter))
+    rows = read_rows(source, start, columns, delimiter=delimiter, missing=True)
+    if len(rows.values) == 0:
+        raise source.error("expected a row a frame after the header, found none.")
+    nameless = int(np.isfinite(rows.values[:, named:]).any(axis=0).sum()) // 3
+    if nameless:
+        warnings.append(f"{nameless} markers without a name were left out.")
+    values = rows.values[:, 2:named].reshape(len(rows.values), len(names), 3)
+    seen = np.isfinite(values).any(axis=(0, 2))
+    if not seen.any():
+        raise source.error("expected markers, found none that is ever seen.")
+    if not seen.all():
+        warnings.append(f"{int((~seen).sum())} markers that are never seen were left out.")
+        values, names = values[:, seen], [name for name, here in zip(names, seen) if here]
+    _check_count(facts.get("numframes"), len(values), "frames", warnings)
+    positions = np.where(np.isfinite(values).all(axis=-1, keepdims=True), values, np.nan)
+    unit = unit_named(facts.get("units", ""))
+    return Draft(
+        split_people(distinct(names, warnings), positions),
+        rate=_rate(source, facts, rows.values[:, 1]),
+        unit=Finding(unit, "read", f"Units is {facts['units']!r}") if unit else None,
+        warnings=warnings,
+    )
+
+
+def _widest(content: bytes, delimiter: str) -> int:
+    """Cells of the widest row."""
+    mark = None if delimiter == " " else delimiter.encode()
+    lines = content.splitlines()
+    if mark is None:
+        return len(lines[0].split()) if lines else 0
+    return max((line.rstrip(b"\r").count(mark) + 1 for line in lines), default=0)
+
+
+def _first_lines(source: Source) -> tuple[list[str], list[int]]:
+    """The first five lines and the bytes at which these and the sixth begin."""
+    lines, borders, position = [], [0], 0
+    for _ in range(5):
+        stop = source.content.find(b"\n", position)
+        if stop < 0:
+            raise source.error("expected five lines of header and a row a frame, found the end.")
+        lines.append(source.content[position:stop].decode("utf-8", "replace").rstrip("\r"))
+        position = stop + 1
+        borders.append(position)
+    if not lines[0].lstrip("\ufeff").lower().startswith("pathfiletype"):
+        raise source.fault(0, "the word PathFileType", repr(lines[0][:40]), remedy="Is this a TRC file?")
+    return lines, borders
+
+
+def _rate(source: Source, facts: dict[str, str], times: np.ndarray) -> Finding:
+    try:
+        rate = float(facts.get("datarate", ""))
+    except ValueError:
+        rate = 0.0
+    if np.isfinite(rate) and rate > 0:
+        return Finding(rate, "read", "stated as DataRate")
+    return rate_of_times(source, times, "Time", [])
+
+
+def _check_count(stated: str | None, found: int, what: str, warnings: list[str]) -> None:
+    if stated is not None and stated.isdigit() and int(stated) != found:
+        warnings.append(f"The header promises {stated} {what}, the file has {found}; those it has were read.")
