@@ -163,7 +163,7 @@ def _describe(
         **reading.findings,
         "facing": _facing(body),
         "size": Finding(
-            body.size, "guessed", "ankles to knees to hips and pelvis to neck to head, in the middle"
+            body.size, "guessed", "ankle to knee to hip, and pelvis to neck to head, the median"
         ),
     }
     checks = (check(recording, body, body_map) for check in _CHECKS)

@@ -16,7 +16,16 @@ ENDINGS = (".bvh", ".amc", ".csv")
 
 @pytest.fixture
 def folder(tmp_path: Path) -> Path:
-    for name in ("b.bvh", "A.BVH", "deep/er/c.amc", "deep/a.bvh", ".hidden/d.bvh", ".e.bvh", "notes.md", "labels.csv"):
+    for name in (
+        "b.bvh",
+        "A.BVH",
+        "deep/er/c.amc",
+        "deep/a.bvh",
+        ".hidden/d.bvh",
+        ".e.bvh",
+        "notes.md",
+        "labels.csv",
+    ):
         path = tmp_path / name
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_text("x", encoding="utf-8")

@@ -10,8 +10,8 @@ from pathlib import Path
 
 import click
 import pytest
-from cli.conftest import Run
 
+from cli.conftest import Run
 from leitmotion import __version__
 from leitmotion.cli import main
 from leitmotion.cli.program import VERBS
@@ -77,7 +77,9 @@ def test_a_verb_without_a_file_is_wrong_usage(run: Run, verb: str) -> None:
 @pytest.mark.parametrize("arguments", [["--help"], ["patterns", "--help"], ["patern"]])
 def test_help_loads_nothing_heavy(arguments: list[str]) -> None:
     ran = python("-X", "importtime", "-m", "leitmotion", *arguments)
-    loaded = {line.rpartition("|")[2].strip().partition(".")[0] for line in ran.stderr.splitlines() if "|" in line}
+    loaded = {
+        line.rpartition("|")[2].strip().partition(".")[0] for line in ran.stderr.splitlines() if "|" in line
+    }
     assert "leitmotion" in loaded
     assert not loaded & set(HEAVY)
 
@@ -123,7 +125,10 @@ def test_ctrl_c_stops_with_130_and_one_line(tmp_path: Path) -> None:
 @pytest.mark.skipif(os.name == "nt", reason="pipes of POSIX")
 def test_a_reader_that_leaves_is_no_error() -> None:
     with subprocess.Popen(
-        [sys.executable, "-m", "leitmotion", "--help"], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
+        [sys.executable, "-m", "leitmotion", "--help"],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
     ) as running:
         assert running.stdout is not None
         assert running.stderr is not None

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
 
 from leitmotion.cli.documents import Document, answer_document, as_line, error_document
-from leitmotion.cli.failures import explain, show_traceback
+from leitmotion.cli.failures import Failure, explain, show_traceback
 from leitmotion.cli.inputs import Input, expand
 from leitmotion.cli.printing import answer_console
 from leitmotion.cli.progress import Progress
@@ -91,44 +92,62 @@ def answer_each(
     with expand(arguments, searched) as inputs, Progress(len(inputs), quiet=options.quiet) as progress:
         if check is not None:
             check(inputs)
-        for place, given in enumerate(inputs):
-            document, answer = _answer(verb, given, options, look, progress)
-            if document is None:
+        for given in inputs:
+            try:
+                answer = _look(given, look, progress)
+            except _NoRecordingError as left_out:
+                progress.note(f"Left out, as no recording: {left_out}")
                 continue
-            documents.append(document)
-            progress.hide()
-            if options.as_json:
-                click.echo(as_line(document))
-            elif answer is not None:
-                _show(given, answer, options, first=place == 0, alone=len(inputs) == 1)
+            documents.append(
+                _print(verb, given, answer, options, first=not documents, alone=len(inputs) == 1)
+            )
             progress.step()
+        if not documents:
+            none = Input(arguments[0], Path(arguments[0]))
+            failure = Failure("DataError", f"Nothing in {' and '.join(arguments)} is a recording.", "")
+            documents.append(_print(verb, none, failure, options, first=True, alone=True))
     return Outcome(documents, any("error" in document for document in documents))
 
 
-def _answer(
-    verb: str, given: Input, options: Options, look: Look, progress: Progress
-) -> tuple[Document | None, Answer | None]:
+class _NoRecordingError(Exception):
+    """A file found in a folder is something else, such as a table of labels."""
+
+
+def _look(given: Input, look: Look, progress: Progress) -> Answer | Failure:
     try:
         if given.fault is not None:
             raise given.fault
-        answer = look(given, progress)
+        return look(given, progress)
     except (click.ClickException, click.exceptions.Exit, BrokenPipeError):
         raise
     except Exception as error:
-        progress.hide()
         failure = explain(error)
         if given.doubtful and failure.type == "FormatError":
-            progress.note(f"Left out of the folder, as no recording: {failure.message}")
-            return None, None
-        if options.traceback:
-            show_traceback(error)
-        if not options.as_json:
-            click.echo(failure.sentence, err=True)
-        return error_document(verb, given, failure), None
-    document = answer_document(
-        verb, answer.source, parameters=answer.parameters, warnings=answer.warnings, result=answer.result
-    )
-    return document, answer
+            raise _NoRecordingError(failure.message) from error
+        return failure
+    finally:
+        progress.hide()
+
+
+def _print(
+    verb: str, given: Input, answer: Answer | Failure, options: Options, *, first: bool, alone: bool
+) -> Document:
+    """Print one answer or failure, and return its document."""
+    if isinstance(answer, Failure):
+        document = error_document(verb, given, answer)
+        if options.traceback and answer.error is not None:
+            show_traceback(answer.error)
+    else:
+        document = answer_document(
+            verb, answer.source, parameters=answer.parameters, warnings=answer.warnings, result=answer.result
+        )
+    if options.as_json:
+        click.echo(as_line(document))
+    elif isinstance(answer, Failure):
+        click.echo(answer.sentence, err=True)
+    else:
+        _show(given, answer, options, first=first, alone=alone)
+    return document
 
 
 def _show(given: Input, answer: Answer, options: Options, *, first: bool, alone: bool) -> None:

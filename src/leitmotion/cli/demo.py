@@ -104,7 +104,7 @@ def _practice(page: Path, options: Options) -> None:
         session = compose_session()
         progress.say("Looking for what recurs")
         with compiling_noted(progress):
-            found = find_patterns(session.motion, joints=options.joints, exclude=options.exclude)
+            found = find_patterns(session.motion, **options.searching)
             progress.say(f"Writing {page}")
             write_report(
                 session.motion,
@@ -151,7 +151,7 @@ def _recording(data: str, page: Path, options: Options) -> None:
         from leitmotion.api import report as write_report
 
         opened = open_one(given, options, progress)
-        found = search(opened, "recurrence", options, progress)
+        found = search(opened, options, progress)
         progress.say(f"Writing {page}")
         write_report(
             opened.body,

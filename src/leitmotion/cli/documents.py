@@ -65,7 +65,7 @@ def error_document(verb: str, given: Input, failure: Failure) -> Document:
         "leitmotion": __version__,
         "verb": verb,
         "source": [{"path": given.shown}],
-        "error": failure._asdict(),
+        "error": {"type": failure.type, "message": failure.message, "remedy": failure.remedy},
     }
 
 
@@ -85,9 +85,12 @@ def source_entry(given: Input, *, frames: int, rate: float) -> Document:
     }
 
 
-def window_parameter(window: tuple[int, int] | None) -> Document:
-    """Say which frames of the file were read, when not all."""
-    return {} if window is None else {"window": {"start": window[0], "stop": window[1]}}
+def reading_parameters(given: Mapping[str, object], window: tuple[int, int] | None) -> Document:
+    """Say how the file was read where the person said so, and which frames of it when not all."""
+    parameters: Document = {"reading": dict(given)} if given else {}
+    if window is not None:
+        parameters["window"] = {"start": window[0], "stop": window[1]}
+    return parameters
 
 
 def stretch(start: int, stop: int, *, rate: float, label: str = "", score: float = math.nan) -> Document:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import sys
 import traceback
-from typing import NamedTuple
+from dataclasses import dataclass
 
 STOPPED = 130
 """Exit status after Ctrl-C, as shells count it."""
@@ -16,12 +16,14 @@ _DEFECT = (
 )
 
 
-class Failure(NamedTuple):
-    """One thing that went wrong: what kind, what happened, what to do."""
+@dataclass(frozen=True)
+class Failure:
+    """One thing that went wrong: what kind, what happened, what to do, and the exception behind it."""
 
     type: str
     message: str
-    remedy: str
+    remedy: str = ""
+    error: BaseException | None = None
 
     @property
     def sentence(self) -> str:
@@ -47,14 +49,14 @@ def explain(error: BaseException) -> Failure:
 
     kind = type(error).__name__
     if isinstance(error, LeitmotionError):
-        return Failure(kind, error.message, error.remedy)
+        return Failure(kind, error.message, error.remedy, error)
     if isinstance(error, OSError):
         what = error.strerror or str(error)
         where = f"{os.fspath(error.filename)}: " if isinstance(error.filename, str | os.PathLike) else ""
-        return Failure(kind, f"{where}{what}.", "")
+        return Failure(kind, f"{where}{what}.", error=error)
     if isinstance(error, MemoryError):
-        return Failure(kind, "There is not enough memory for a recording this long.", "Take a window of it.")
-    return Failure(kind, f"{kind}: {error}.", _DEFECT)
+        return Failure(kind, "There is not enough memory for this.", "Take a window of the recording.", error)
+    return Failure(kind, f"{kind}: {error}.", _DEFECT, error)
 
 
 def show_traceback(error: BaseException) -> None:

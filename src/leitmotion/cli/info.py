@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import click
 
 from leitmotion.cli.batch import Answer, answer_each, finish
-from leitmotion.cli.documents import Document, info_result, source_entry, window_parameter
+from leitmotion.cli.documents import Document, info_result, reading_parameters, source_entry
 from leitmotion.cli.inputs import Input
 from leitmotion.cli.options import Options, as_json, common, examples, output
 from leitmotion.cli.outputs import check_output, write_documents
@@ -22,6 +22,11 @@ if TYPE_CHECKING:
     from leitmotion.api import Info
 
 TABLES = (".json", ".csv")
+COLUMNS = (
+    "path", "sha256", "frames", "rate", "seconds", "kind", "count", "people", "roles",
+    "unit", "up", "facing", "size", "problems",
+)  # fmt: skip
+"""Columns of the table, one row per input."""
 
 
 @click.command(
@@ -33,7 +38,7 @@ TABLES = (".json", ".csv")
 @click.argument("inputs", nargs=-1, required=True, metavar="INPUT...")
 @output("Also write it, by the ending: .json, or .csv with one row per input.")
 @as_json
-@common(comparing=False)
+@common(searching=False)
 def info(inputs: tuple[str, ...], options: Options) -> None:
     """Tell what a recording holds, and what is wrong with it.
 
@@ -47,9 +52,9 @@ def info(inputs: tuple[str, ...], options: Options) -> None:
         told = tell(given.source, **options.reading, body_map=options.map_entries())
         return Answer(
             source=[source_entry(given, frames=told.frames, rate=told.rate)],
-            parameters=window_parameter(told.window),
+            parameters=reading_parameters(options.reading, told.window),
             result=info_result(told),
-            show=lambda console: _show(console, given, told),
+            show=lambda console: _show(console, told),
             warnings=list(told.warnings),
         )
 
@@ -59,17 +64,17 @@ def info(inputs: tuple[str, ...], options: Options) -> None:
 
     outcome = answer_each("info", inputs, options, look, check=check)
     if options.output is not None:
-        write_documents(options.output, outcome.documents, _rows)
+        write_documents(options.output, outcome.documents, COLUMNS, _rows)
     finish(outcome)
 
 
-def _show(console: Console, given: Input, told: Info) -> None:
+def _show(console: Console, told: Info) -> None:
     from leitmotion.view.words import plural
 
     held = plural(len(told.names), "joint" if told.kind == "skeleton" else "point")
-    held = f"a skeleton of {held}" if told.kind == "skeleton" else f"{held} in {told.dimensions} dimensions"
+    held = f"A skeleton of {held}" if told.kind == "skeleton" else f"{held} in {told.dimensions} dimensions"
     length = f"{told.duration:.2f} s, {told.frames:,} frames at {told.rate:g} Hz"
-    console.print(f"{given.shown} holds {held}: {length}.", style="bold")
+    console.print(f"{held}; {length}.", style="bold")
     if len(told.people) > 1:
         console.print(f"It holds {len(told.people)} people: {', '.join(told.people)}. This is the first.")
     if not told.problems:

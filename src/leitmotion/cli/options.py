@@ -26,6 +26,12 @@ class Options:
         A JSON file that names the joint or markers of each role.
     joints, exclude : tuple of str
         Which roles to compare, and which to leave out.
+    method : str
+        How to search.
+    min_duration : float or None
+        The shortest stretch that counts, seconds.
+    stillness : bool
+        Whether a posture held again counts.
     as_json, quiet, traceback, force : bool
         How to answer.
     output : Path or None
@@ -40,6 +46,9 @@ class Options:
     body_map: Path | None = None
     joints: tuple[str, ...] = ()
     exclude: tuple[str, ...] = ()
+    method: str = "recurrence"
+    min_duration: float | None = None
+    stillness: bool = False
     as_json: bool = False
     quiet: bool = False
     traceback: bool = False
@@ -48,14 +57,19 @@ class Options:
 
     @property
     def reading(self) -> dict[str, Any]:
-        """The keyword arguments that every reader takes."""
-        return {
-            "skeleton": self.skeleton,
-            "unit": self.unit,
-            "up": self.up,
-            "rate": self.rate,
-            "person": self.person,
-        }
+        """The keyword arguments that every reader takes, those that were given."""
+        names = ("skeleton", "unit", "up", "rate", "person")
+        return {name: value for name in names if (value := getattr(self, name)) is not None}
+
+    @property
+    def searching(self) -> dict[str, Any]:
+        """The keyword arguments of the search, those that were given."""
+        given: dict[str, Any] = {"method": self.method, "joints": self.joints, "exclude": self.exclude}
+        if self.min_duration is not None:
+            given["min_duration_s"] = self.min_duration
+        if self.stillness:
+            given["stillness"] = True
+        return given
 
     def map_entries(self) -> Mapping[str, Any] | None:
         """Read the map file, None when none was given."""
@@ -94,7 +108,14 @@ _READING = (
         help='JSON file that names the joint or markers of each role: {"left_knee": "LKnee", …}.',
     ),
 )
-_COMPARING = (
+_SEARCHING = (
+    click.option(
+        "--method",
+        type=click.Choice(["recurrence", "tang2008"]),
+        default="recurrence",
+        show_default=True,
+        help="How to search: with nothing to set, or as Tang et al. (2008) describe it.",
+    ),
     click.option(
         "--joints",
         multiple=True,
@@ -103,6 +124,8 @@ _COMPARING = (
         help="Compare only these roles; with wildcards, as in 'left_*,head'. `info` lists them.",
     ),
     click.option("--exclude", multiple=True, callback=_names, metavar="ROLES", help="Leave these roles out."),
+    click.option("--min-duration", type=float, metavar="SECONDS", help="The shortest stretch that counts."),
+    click.option("--stillness", is_flag=True, help="Let a posture that is held again count as a pattern."),
 )
 _ANSWERING = (
     click.option("--quiet", "-q", is_flag=True, help="No progress and no remarks; the answer alone."),
@@ -114,32 +137,25 @@ _ANSWERING = (
     ),
 )
 force = click.option("--force", is_flag=True, help="Replace an .html file that Leitmotion did not write.")
-method = click.option(
-    "--method",
-    type=click.Choice(["recurrence", "tang2008"]),
-    default="recurrence",
-    show_default=True,
-    help="How to search: with nothing to set, or as Tang et al. (2008) describe it.",
-)
 as_json = click.option(
     "--json", "as_json", is_flag=True, help="Print one JSON document per input, one per line."
 )
 
 
-def common(*, comparing: bool = True) -> Callable[[Callable[..., Any]], Callable[..., Any]]:
+def common(*, searching: bool = True) -> Callable[[Callable[..., Any]], Callable[..., Any]]:
     """Give a command the options that every verb takes, passed on as one :class:`Options`.
 
     Parameters
     ----------
-    comparing : bool
-        Whether the verb compares postures, so that its joints may be chosen.
+    searching : bool
+        Whether the verb looks for what recurs, so that the search may be steered.
 
     Returns
     -------
     callable
         A decorator; the command it makes receives ``options`` instead of the single values.
     """
-    wanted = _READING + (_COMPARING if comparing else ()) + _ANSWERING
+    wanted = (_SEARCHING if searching else ()) + _READING + _ANSWERING
 
     def decorate(command: Callable[..., Any]) -> Callable[..., Any]:
         @functools.wraps(command)

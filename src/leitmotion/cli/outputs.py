@@ -53,7 +53,7 @@ def check_output(path: Path, inputs: Sequence[Input], *, endings: Sequence[str],
         raise click.UsageError(f"{path} exists, and Leitmotion did not write it. Replace it with --force.")
 
 
-def write_documents(path: Path, documents: list[Document], rows: Rows) -> None:
+def write_documents(path: Path, documents: list[Document], columns: Sequence[str], rows: Rows) -> None:
     """Write what was found: as JSON (one document, or the list of them), or as one table.
 
     Parameters
@@ -62,6 +62,8 @@ def write_documents(path: Path, documents: list[Document], rows: Rows) -> None:
         Ends in .json or .csv.
     documents : list of dict
         The documents of the contract, in order.
+    columns : sequence of str
+        The columns of the table.
     rows : callable
         Gives the rows of the table that one result stands for.
     """
@@ -104,10 +106,9 @@ def _is_ours(path: Path) -> bool:
         return OURS in file.read(4096)
 
 
-def _table(rows: Sequence[Mapping[str, Any]]) -> str:
+def _table(columns: Sequence[str], rows: Iterable[Mapping[str, Any]]) -> str:
     out = text_io.StringIO()
-    if rows:
-        writer = csv.DictWriter(out, fieldnames=list(rows[0]), lineterminator="\n")
-        writer.writeheader()
-        writer.writerows(rows)
+    writer = csv.DictWriter(out, fieldnames=columns, lineterminator="\n")
+    writer.writeheader()
+    writer.writerows(rows)
     return out.getvalue()

@@ -11,7 +11,7 @@ import click
 from leitmotion.cli.batch import Answer, answer_each, finish
 from leitmotion.cli.documents import Document, patterns_result
 from leitmotion.cli.inputs import Input
-from leitmotion.cli.options import Options, as_json, common, examples, force, method, output
+from leitmotion.cli.options import Options, as_json, common, examples, force, output
 from leitmotion.cli.outputs import check_output, write_documents
 from leitmotion.cli.printing import print_table
 from leitmotion.cli.progress import Progress, compiling_noted
@@ -26,6 +26,11 @@ TABLES = (".json", ".csv")
 PICTURES = (".png", ".svg", ".pdf")
 OF_ONE = (".html", ".npz", *PICTURES)
 """Endings of what shows a single recording."""
+COLUMNS = (
+    "path", "pattern", "occurrence", "start", "stop", "start_s", "stop_s", "score",
+    "kind", "cycles", "period_s", "cost", "confidence",
+)  # fmt: skip
+"""Columns of the table, one row per occurrence."""
 
 
 @click.command(
@@ -36,19 +41,18 @@ OF_ONE = (".html", ".npz", *PICTURES)
     )
 )
 @click.argument("inputs", nargs=-1, required=True, metavar="INPUT...")
-@method
 @output(
     "Also write what was found, by the ending: .json or .csv; of one input .html, .png, .svg, .pdf or .npz."
 )
 @force
 @as_json
 @common()
-def patterns(inputs: tuple[str, ...], method: str, options: Options) -> None:
+def patterns(inputs: tuple[str, ...], options: Options) -> None:
     """Find what recurs in a recording."""
 
     def look(given: Input, progress: Progress) -> Answer:
         opened = open_one(given, options, progress)
-        found = search(opened, method, options, progress)
+        found = search(opened, options, progress)
         if options.output is not None and options.output.suffix.lower() in OF_ONE:
             progress.say(f"Writing {options.output}")
             _write_one(options.output, opened, found, options)
@@ -72,17 +76,17 @@ def patterns(inputs: tuple[str, ...], method: str, options: Options) -> None:
 
     outcome = answer_each("patterns", inputs, options, look, check=check)
     if options.output is not None and options.output.suffix.lower() in TABLES:
-        write_documents(options.output, outcome.documents, _rows)
+        write_documents(options.output, outcome.documents, COLUMNS, _rows)
     finish(outcome)
 
 
-def search(opened: Opened, method: str, options: Options, progress: Progress) -> Patterns:
+def search(opened: Opened, options: Options, progress: Progress) -> Patterns:
     """Find what recurs in a recording that is open, telling what goes on."""
     from leitmotion.api import find_patterns
 
     progress.say(f"Looking for what recurs in {opened.source[0]['path']}")
     with compiling_noted(progress):
-        return find_patterns(opened.body, method=method, joints=options.joints, exclude=options.exclude)
+        return find_patterns(opened.body, **options.searching)
 
 
 def show_patterns(console: Console, found: Patterns, *, seconds: float) -> None:
@@ -154,7 +158,6 @@ def _rows(document: Document) -> Iterator[dict[str, object]]:
     """One row per occurrence."""
     path = document["source"][0]["path"]
     for pattern in document["result"]["patterns"]:
-        about = {name: pattern[name] for name in ("kind", "cycles", "period_s", "cost", "confidence")}
         for place, occurrence in enumerate(pattern["occurrences"], start=1):
-            times = {name: occurrence[name] for name in ("start", "stop", "start_s", "stop_s", "score")}
-            yield {"path": path, "pattern": pattern["id"], "occurrence": place} | times | about
+            row = {"path": path, "pattern": pattern["id"], "occurrence": place} | occurrence | pattern
+            yield {column: row[column] for column in COLUMNS}

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, NamedTuple
 
-from leitmotion.cli.documents import Document, source_entry, window_parameter
+from leitmotion.cli.documents import Document, reading_parameters, source_entry
 from leitmotion.cli.inputs import Input
 from leitmotion.cli.options import Options
 from leitmotion.cli.progress import Progress
@@ -65,6 +65,6 @@ def open_one(given: Input, options: Options, progress: Progress) -> Opened:
         body=body,
         source=[source_entry(given, frames=len(recording), rate=recording.rate)],
         first_frame=0 if reading.window is None else reading.window[0],
-        parameters=window_parameter(reading.window),
+        parameters=reading_parameters(options.reading, reading.window),
         warnings=list(reading.warnings),
     )

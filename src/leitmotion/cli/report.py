@@ -12,7 +12,7 @@ import click
 from leitmotion.cli.batch import Answer, answer_each, finish
 from leitmotion.cli.documents import patterns_result
 from leitmotion.cli.inputs import Input
-from leitmotion.cli.options import Options, as_json, common, examples, force, method, output
+from leitmotion.cli.options import Options, as_json, common, examples, force, output
 from leitmotion.cli.outputs import check_output, open_page
 from leitmotion.cli.patterns import search
 from leitmotion.cli.progress import Progress
@@ -39,7 +39,6 @@ if TYPE_CHECKING:
     metavar="FILE",
     help="Labels from elsewhere (.csv, .json, .txt), shown in a lane of their own.",
 )
-@method
 @click.option("--open", "open_it", is_flag=True, help="Open the page in the browser.")
 @force
 @as_json
@@ -47,7 +46,6 @@ if TYPE_CHECKING:
 def report(
     inputs: tuple[str, ...],
     labels: Path | None,
-    method: str,
     open_it: bool,
     options: Options,
 ) -> None:
@@ -69,7 +67,7 @@ def report(
         from leitmotion.view.words import title
 
         opened = open_one(given, options, progress)
-        found = search(opened, method, options, progress)
+        found = search(opened, options, progress)
         page = pages[given.shown]
         progress.say(f"Writing {page}")
         write_report(

@@ -1,0 +1,149 @@
+"""``leitmotion patterns``: the answer first, then where."""
+
+import csv
+import io
+import json
+from pathlib import Path
+
+import pytest
+
+from cli.conftest import Run
+
+
+def test_the_answer_comes_first(run: Run, made: Path) -> None:
+    told = run("patterns", made / "jacks.bvh")
+    assert told.exit_code == 0
+    assert told.stderr == ""
+    assert told.stdout.startswith("One movement recurs, four times.\n")
+    row = next(line for line in told.stdout.splitlines() if line.startswith("A  "))
+    assert row.split()[:4] == ["A", "cyclic", "1", "4"]
+
+
+def test_plain_output_is_never_wrapped_or_padded(run: Run, made: Path) -> None:
+    lines = run("patterns", made / "jacks.bvh").stdout.splitlines()
+    assert all(line == line.rstrip() for line in lines)
+    assert not any("\x1b" in line for line in lines)
+
+
+def test_nothing_repeats_is_an_answer(run: Run, made: Path) -> None:
+    told = run("patterns", made / "once.bvh")
+    assert told.exit_code == 0
+    assert told.stdout.startswith("Nothing repeats here.\n")
+
+
+def test_several_inputs_are_told_apart_and_the_bad_one_is_a_sentence(run: Run, made: Path) -> None:
+    told = run("patterns", made / "jacks.bvh", made / "missing.bvh", made / "once.bvh")
+    assert told.exit_code == 1
+    assert f"{made / 'jacks.bvh'}\nOne movement recurs" in told.stdout
+    assert f"\n\n{made / 'once.bvh'}\nNothing repeats here." in told.stdout
+    assert told.stderr == f"Error: There is no file {made / 'missing.bvh'}.\n"
+
+
+def test_json_output_file_is_what_json_prints(run: Run, made: Path) -> None:
+    told = run("patterns", made / "jacks.bvh", "--json", "-o", "found.json")
+    assert json.loads(Path("found.json").read_text(encoding="utf-8")) == json.loads(told.stdout)
+
+
+def test_json_of_several_is_a_list_with_the_failures_in_place(run: Run, made: Path) -> None:
+    told = run("patterns", made / "bad.bvh", made / "jacks.bvh", "-o", "found.json")
+    assert told.exit_code == 1
+    assert [
+        "error" in document for document in json.loads(Path("found.json").read_text(encoding="utf-8"))
+    ] == [
+        True,
+        False,
+    ]
+
+
+def test_csv_is_one_table_of_occurrences(run: Run, made: Path) -> None:
+    run("patterns", made, "-o", "found.csv")
+    rows = list(csv.DictReader(io.StringIO(Path("found.csv").read_text(encoding="utf-8"))))
+    assert [row["occurrence"] for row in rows] == ["1", "2", "3", "4"]
+    assert {row["pattern"] for row in rows} == {"A"}
+    assert all(float(row["stop_s"]) * 30 == pytest.approx(int(row["stop"]), abs=0.01) for row in rows)
+
+
+def test_a_table_of_nothing_has_its_header(run: Run, made: Path) -> None:
+    run("patterns", made / "once.bvh", "-o", "found.csv")
+    assert Path("found.csv").read_text(encoding="utf-8").startswith("path,pattern,occurrence,start,stop")
+
+
+def test_archive_holds_the_patterns(run: Run, made: Path) -> None:
+    import leitmotion as lm
+
+    run("patterns", made / "jacks.bvh", "-o", "found.npz")
+    assert lm.load("found.npz") == lm.find_patterns(lm.read(made / "jacks.bvh"))
+
+
+@pytest.mark.parametrize("ending", [".png", ".svg", ".pdf"])
+def test_picture(run: Run, made: Path, ending: str) -> None:
+    told = run("patterns", made / "jacks.bvh", "-o", f"found{ending}")
+    assert told.exit_code == 0
+    signs = {".png": b"\x89PNG", ".svg": b"<?xml", ".pdf": b"%PDF"}
+    assert Path(f"found{ending}").read_bytes().startswith(signs[ending])
+
+
+@pytest.mark.parametrize(
+    ("name", "complaint"),
+    [("found.doc", "end it in .json, .csv"), ("found", "end it in .json, .csv"), ("in.bvh", "end it in")],
+)
+def test_an_unknown_ending_is_wrong_usage_before_any_work(
+    run: Run, made: Path, name: str, complaint: str
+) -> None:
+    told = run("patterns", made / "missing.bvh", "-o", name)
+    assert told.exit_code == 2
+    assert complaint in " ".join(told.stderr.split())
+
+
+def test_a_page_or_a_picture_shows_one_recording(run: Run, made: Path) -> None:
+    told = run("patterns", made, "-o", "all.png")
+    assert told.exit_code == 2
+    assert "leitmotion report INPUT... -o FOLDER" in told.stderr
+
+
+def test_an_input_is_never_written_over(run: Run) -> None:
+    Path("found.json").write_text("{}", encoding="utf-8")
+    told = run("patterns", "found.json", "-o", "found.json")
+    assert told.exit_code == 2
+    assert "inputs are never written over" in told.stderr
+    assert Path("found.json").read_text(encoding="utf-8") == "{}"
+
+
+def test_joints_may_be_chosen_and_excluded(run: Run, made: Path) -> None:
+    def compared(*options: str) -> list[str]:
+        document = json.loads(run("patterns", made / "jacks.bvh", "--json", *options).stdout)
+        features: list[str] = document["parameters"]["features"]
+        return features
+
+    assert compared("--joints", "head,left_knee", "--joints", "neck") == ["neck", "head", "left_knee"]
+    assert set(compared("--joints", "left_*", "--exclude", "left_t*")) >= {"left_hip", "left_wrist"}
+    assert "left_toe" not in compared("--joints", "left_*", "--exclude", "left_t*")
+    assert "head" not in compared("--exclude", "head")
+
+
+def test_an_unknown_joint_is_told_with_those_there_are(run: Run, made: Path) -> None:
+    told = run("patterns", made / "jacks.bvh", "--joints", "tail")
+    assert told.exit_code == 1
+    assert "no joint 'tail'" in told.stderr
+    assert "left_knee" in told.stderr
+
+
+def test_a_map_file_names_the_roles(run: Run, made: Path) -> None:
+    Path("map.json").write_text("[]", encoding="utf-8")
+    told = run("patterns", made / "jacks.bvh", "--map", "map.json")
+    assert told.exit_code == 2
+    assert "left_knee" in told.stderr
+
+
+def test_stillness_and_shortest_length_are_options(run: Run, made: Path) -> None:
+    told = run("patterns", made / "jacks.bvh", "--json", "--stillness", "--min-duration", "0.8")
+    parameters = json.loads(told.stdout)["parameters"]
+    assert parameters["stillness"] is True
+    assert parameters["min_duration_s"] == 0.8
+
+
+def test_reading_options_stand_in_the_parameters(run: Run, made: Path) -> None:
+    told = run("patterns", made / "jacks.bvh", "--json", "--rate", "60", "--unit", "m")
+    document = json.loads(told.stdout)
+    assert document["parameters"]["reading"] == {"unit": "m", "rate": 60.0}
+    assert document["source"][0]["rate"] == 60.0

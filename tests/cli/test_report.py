@@ -1,0 +1,144 @@
+"""``leitmotion report`` and ``leitmotion demo``: the page, where it goes, and what it never replaces."""
+
+import json
+from pathlib import Path
+
+import pytest
+
+from cli.conftest import Run
+from leitmotion.cli import demo, outputs
+
+PAGE_OF_SOMEBODY = "<!doctype html><title>My thesis</title>"
+
+
+def is_page(path: Path) -> bool:
+    return outputs.OURS in path.read_bytes()[:4096]
+
+
+def test_the_page_has_the_name_of_the_recording_in_the_current_folder(run: Run, made: Path) -> None:
+    told = run("report", made / "jacks.bvh")
+    assert told.exit_code == 0
+    assert told.stdout == "One movement recurs, four times. Open jacks.html\n"
+    assert is_page(Path("jacks.html"))
+
+
+def test_nothing_repeats_has_a_page_as_well(run: Run, made: Path) -> None:
+    assert run("report", made / "once.bvh").stdout.startswith("Nothing repeats here.")
+    assert is_page(Path("once.html"))
+
+
+def test_o_names_the_page_or_the_folder(run: Run, made: Path) -> None:
+    run("report", made / "jacks.bvh", "-o", "here/there.html")
+    assert is_page(Path("here/there.html"))
+    Path("pages").mkdir()
+    run("report", made / "jacks.bvh", "-o", "pages")
+    assert is_page(Path("pages/jacks.html"))
+
+
+def test_recordings_of_one_name_get_pages_of_two_names(run: Run, made: Path) -> None:
+    Path("other").mkdir()
+    Path("other/jacks.bvh").write_bytes((made / "once.bvh").read_bytes())
+    told = run("report", made / "jacks.bvh", "other/jacks.bvh", made / "bad.bvh", "-o", "pages")
+    assert told.exit_code == 1
+    assert sorted(path.name for path in Path("pages").iterdir()) == ["jacks-2.html", "jacks.html"]
+
+
+def test_our_own_page_is_replaced_and_somebody_elses_is_not(run: Run, made: Path) -> None:
+    assert run("report", made / "jacks.bvh").exit_code == 0
+    assert run("report", made / "jacks.bvh").exit_code == 0
+    Path("jacks.html").write_text(PAGE_OF_SOMEBODY, encoding="utf-8")
+    told = run("report", made / "jacks.bvh")
+    assert told.exit_code == 2
+    assert "--force" in told.stderr
+    assert Path("jacks.html").read_text(encoding="utf-8") == PAGE_OF_SOMEBODY
+    assert run("report", made / "jacks.bvh", "--force").exit_code == 0
+    assert is_page(Path("jacks.html"))
+
+
+def test_a_failure_leaves_the_page_that_was_there(
+    run: Run, made: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    run("report", made / "jacks.bvh")
+    before = Path("jacks.html").read_bytes()
+
+    def interrupted(*args: object, **options: object) -> None:
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr("leitmotion.view.report_page", interrupted)
+    told = run("report", made / "jacks.bvh")
+    assert told.exit_code == 130
+    assert told.stderr.split() == ["Stopped."]
+    assert [path.name for path in Path().iterdir()] == ["jacks.html"]
+    assert Path("jacks.html").read_bytes() == before
+
+
+def test_json_tells_where_the_page_is(run: Run, made: Path) -> None:
+    document = json.loads(run("report", made / "jacks.bvh", "--json").stdout)
+    assert document["result"]["written"] == "jacks.html"
+    assert len(document["result"]["patterns"]) == 1
+
+
+def test_labels_stand_in_a_lane_of_the_window(run: Run, made: Path) -> None:
+    Path("labels.csv").write_text(
+        "start_s,stop_s,label\n0,0.5,before\n0.5,2.0,hop along\n2.0,30,after\n", encoding="utf-8"
+    )
+    told = run("report", f"{made / 'jacks.bvh'}[1s:4s]", "--labels", "labels.csv", "-o", "page.html")
+    assert told.exit_code == 0
+    page = Path("page.html").read_text(encoding="utf-8")
+    assert "hop along" in page
+    assert "labels.csv" in page
+    assert '"before"' not in page
+
+
+def test_labels_belong_to_one_recording(run: Run, made: Path) -> None:
+    Path("labels.csv").touch()
+    told = run("report", made, "--labels", "labels.csv")
+    assert told.exit_code == 2
+    assert "--labels belongs to one recording" in told.stderr
+
+
+@pytest.mark.parametrize(("screen", "opened"), [(":0", 1), ("", 0)])
+def test_the_browser_opens_where_there_is_a_screen(
+    run: Run, made: Path, monkeypatch: pytest.MonkeyPatch, screen: str, opened: int
+) -> None:
+    pages: list[str] = []
+    monkeypatch.setattr("webbrowser.open", lambda url: pages.append(url) or True)
+    monkeypatch.setattr("sys.platform", "linux")
+    for name in ("WAYLAND_DISPLAY", "WSL_DISTRO_NAME"):
+        monkeypatch.delenv(name, raising=False)
+    monkeypatch.setenv("DISPLAY", screen)
+    told = run("report", made / "jacks.bvh", "--open")
+    assert told.exit_code == 0
+    assert len(pages) == opened
+    assert ("no screen" in told.stderr) is not bool(opened)
+
+
+def test_demo_puts_what_it_finds_beside_the_truth(run: Run, monkeypatch: pytest.MonkeyPatch) -> None:
+    def no_browser(page: Path) -> bool:
+        raise AssertionError("--no-open was given")
+
+    monkeypatch.setattr(demo, "open_page", no_browser)
+    told = run("demo", "--no-open")
+    assert told.exit_code == 0
+    assert told.stdout.endswith(f"The page: {Path('leitmotion-demo.html').resolve()}\n")
+    assert is_page(Path("leitmotion-demo.html"))
+    truth = told.stdout[told.stdout.index("\nthe truth") + 1 :]
+    rows = [line.split("  ") for line in truth.splitlines()[1:] if line and not line.startswith("The page")]
+    assert [row[0] for row in rows] == [
+        "walk", "jumping jack", "squat", "left side kick", "right side kick", "arm raise", "walk",
+    ]  # fmt: skip
+    assert "not found" not in truth
+
+
+def test_demo_of_a_recording(run: Run, made: Path) -> None:
+    told = run("demo", "--data", made / "jacks.bvh", "--no-open", "-o", "page.html")
+    assert told.exit_code == 0
+    assert told.stdout.startswith("One movement recurs, four times.")
+    assert is_page(Path("page.html"))
+
+
+def test_demo_of_a_bad_file_writes_nothing(run: Run, made: Path) -> None:
+    told = run("demo", "--data", made / "bad.bvh", "--no-open")
+    assert told.exit_code == 1
+    assert "The page" not in told.stdout
+    assert not list(Path().iterdir())

@@ -1,0 +1,187 @@
+"""The façade: what a person types, and that importing it loads nothing."""
+
+import ast
+import subprocess
+import sys
+import tomllib
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import leitmotion as lm
+from leitmotion import api
+
+ROOT = Path(__file__).resolve().parents[1]
+SOURCE = ROOT / "src" / "leitmotion" / "__init__.py"
+
+
+@pytest.fixture(scope="module")
+def session() -> object:
+    return lm.compose_session(seed=3, rate=30.0)
+
+
+def test_version_is_that_of_the_project() -> None:
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
+    assert lm.__version__ == project["project"]["version"]
+
+
+def test_every_promised_name_is_there_and_the_same_as_behind_the_facade() -> None:
+    assert lm.__all__ == sorted(lm.__all__)
+    assert lm.__all__ == api.__all__
+    for name in lm.__all__:
+        assert getattr(lm, name) is getattr(api, name)
+    assert set(lm.__all__) < set(dir(lm))
+
+
+def test_type_checkers_see_what_is_promised() -> None:
+    guarded = next(
+        node for node in ast.parse(SOURCE.read_text(encoding="utf-8")).body if isinstance(node, ast.If)
+    )
+    seen = [alias.name for node in guarded.body if isinstance(node, ast.ImportFrom) for alias in node.names]
+    assert sorted(seen) == lm.__all__
+
+
+def test_rooms_are_reached_by_name() -> None:
+    assert lm.io.read is lm.read
+    assert lm.body.embody is lm.embody
+
+
+def test_an_unknown_name_is_an_attribute_error() -> None:
+    with pytest.raises(AttributeError, match="no attribute 'find_everything'"):
+        lm.find_everything  # noqa: B018
+
+
+def test_import_loads_nothing_heavy() -> None:
+    code = "import leitmotion, sys; print(*sorted({name.partition('.')[0] for name in sys.modules}))"
+    ran = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True, timeout=60)
+    assert not set(ran.stdout.split()) & {"matplotlib", "numba", "numpy", "rich", "scipy", "sklearn", "click"}
+
+
+def test_the_functions_of_the_facade_load_neither_compiler_nor_plots() -> None:
+    code = "import leitmotion.api, sys; print(*sorted({name.partition('.')[0] for name in sys.modules}))"
+    ran = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True, timeout=60)
+    assert not set(ran.stdout.split()) & {"matplotlib", "numba", "rich", "scipy", "sklearn", "click"}
+
+
+def test_the_three_lines_of_the_readme(session: lm.datasets.Session, tmp_path: Path) -> None:
+    lm.write(session.motion, tmp_path / "dance.bvh")
+    motion = lm.read(tmp_path / "dance.bvh")
+    patterns = lm.find_patterns(motion)
+    assert len(patterns) >= 4
+    page = lm.report(motion, tmp_path / "dance.html")
+    assert page == tmp_path / "dance.html"
+    assert page.read_text(encoding="utf-8").lower().startswith("<!doctype html>")
+
+
+def test_a_body_is_as_good_as_its_recording(session: lm.datasets.Session) -> None:
+    piece = session.motion[:600]
+    assert lm.find_patterns(lm.embody(piece)) == lm.find_patterns(piece)
+
+
+def test_a_map_may_be_written_as_names(session: lm.datasets.Session) -> None:
+    piece = session.motion[300:700]
+    found = lm.find_roles(piece)
+    entries = {role: list(members) for role, members in zip(found.roles, found.members, strict=True)}
+    assert lm.find_patterns(piece, body_map=entries) == lm.find_patterns(piece, body_map=found)
+
+
+def test_options_of_the_method_are_passed_and_unknown_ones_refused(session: lm.datasets.Session) -> None:
+    found = lm.find_patterns(session.motion[:300], min_duration_s=0.7)
+    assert found.parameters["min_duration_s"] == 0.7
+    with pytest.raises(lm.ParameterError, match="no option 'min_length'"):
+        lm.find_patterns(session.motion[:300], min_length=3)
+
+
+def test_a_path_in_place_of_a_recording_is_explained() -> None:
+    with pytest.raises(lm.ParameterError, match=r"A recording was expected, got str\. Read the file first"):
+        lm.find_patterns("dance.bvh")  # type: ignore[arg-type]
+
+
+def test_excluding_everything_is_refused(session: lm.datasets.Session) -> None:
+    with pytest.raises(lm.ParameterError, match="No joint is left"):
+        lm.find_patterns(session.motion[:300], exclude="*")
+
+
+def test_a_report_of_a_long_recording_keeps_its_matrix_within_bounds() -> None:
+    minutes = lm.features.FeatureSequence(np.zeros((120 * 600, 3)), ("head",), rate=120.0, width=3)
+    thinned = api._thinned(minutes)
+    assert len(thinned) <= api.MOST_MOMENTS
+    assert thinned.rate * 4 % 1 == 0
+
+
+def marker_file(**changes: object) -> lm.Trajectories:
+    """Standing markers of one second, with faults."""
+    names = ("LFHD", "RFHD", "LSHO", "RSHO", "LKNE", "RKNE", "LANK", "RANK", "LASI", "RASI", "LPSI", "RPSI")
+    places = np.array(
+        [[0.1, 1.7, 0.1], [0.2, 1.4, 0], [0.1, 0.5, 0], [0.1, 0.1, 0], [0.1, 1.0, 0.1], [0.1, 1.0, -0.1]]
+    )
+    both = np.repeat(places, 2, axis=0)
+    both[1::2, 0] *= -1
+    sway = 0.01 * np.sin(np.arange(120) / 7)[:, None, None]
+    return lm.Trajectories(names, both[None] + sway, rate=100.0, name="markers").replace(**changes)  # type: ignore[no-any-return, attr-defined]
+
+
+def problems(recording: lm.Trajectories) -> dict[str, str]:
+    return {problem.what: problem.message for problem in lm.info(recording).problems}
+
+
+def test_info_finds_no_fault_in_the_practice_session(session: lm.datasets.Session) -> None:
+    told = lm.info(session.motion)
+    assert told.problems == ()
+    assert told.kind == "skeleton"
+    assert told.people == (session.motion.name,)
+    assert told.duration == session.motion.duration
+
+
+def test_info_counts_gaps() -> None:
+    positions = marker_file().positions.copy()
+    positions[20:45, 3] = np.nan
+    positions[:, 5] = np.nan
+    told = problems(marker_file(positions=positions))
+    assert "RKNE is never seen" in told["gaps"]
+    assert "1 of 12 points have gaps, the longest 25 frames (0.25 s, RSHO)" in told["gaps"]
+
+
+def test_info_counts_frames_that_repeat() -> None:
+    positions = marker_file().positions.copy()
+    positions[51:61] = positions[50]
+    assert (
+        "10 of 120 frames repeat the one before exactly; the longest such hold is 10 frames"
+        in problems(marker_file(positions=positions))["duplicates"]
+    )
+
+
+def test_info_notices_a_size_that_no_person_has() -> None:
+    whole = lm.compose_session(seed=3, rate=30.0).motion[:60]
+    shrunk = whole.skeleton.replace(offsets=whole.skeleton.offsets / 50)
+    tiny = whole.replace(skeleton=shrunk, local_positions=whole.local_positions / 50)
+    assert "people measure 0.5 to 2.5 m" in {p.what: p.message for p in lm.info(tiny).problems}["size"]
+
+
+def test_info_notices_a_person_upside_down() -> None:
+    whole = lm.compose_session(seed=3, rate=30.0).motion[:60]
+    body = lm.embody(whole)
+    flipped = lm.Trajectories(body.roles, body.positions * [1, -1, 1], rate=30.0, kind="joint")
+    assert "The head is not above the feet in 100% of the frames" in problems(flipped)["up"]
+
+
+def test_info_notices_a_jump_after_the_first_frame() -> None:
+    positions = marker_file().positions.copy()
+    positions[0, :, 2] += 3.0
+    (jump,) = [
+        problem for problem in lm.info(marker_file(positions=positions)).problems if problem.what == "jumps"
+    ]
+    assert "after frame 0 (0.00 s)" in jump.message
+    assert "[1:]" in jump.remedy
+
+
+def test_info_names_what_it_cannot_tell() -> None:
+    told = lm.info(marker_file(names=tuple(f"m{k}" for k in range(12))))
+    assert told.findings["facing"].value is None
+    assert told.problems[0].what == "roles"
+    assert "--map" in told.problems[0].remedy
+
+
+def test_info_says_when_it_is_too_short() -> None:
+    assert "too short" in problems(marker_file()[:50])["short"]
