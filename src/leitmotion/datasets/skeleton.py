@@ -37,11 +37,13 @@ _AXIS = (
     ("Neck", "Chest", (0.0, SHOULDER + 0.014 - HIPS_HEIGHT - 0.145, 0.004)),
     ("Head", "Neck", (0.0, CHIN + 0.008 - SHOULDER - 0.014, 0.008)),
 )
-_SIDE = (
+_ARM = (
     ("Shoulder", "Chest", (0.016, SHOULDER - 0.010 - HIPS_HEIGHT - 0.145, 0.010)),
     ("Arm", "Shoulder", (HALF_SHOULDERS - 0.016, 0.0, -0.008)),
     ("ForeArm", "Arm", (UPPER_ARM, 0.0, 0.0)),
     ("Hand", "ForeArm", (FOREARM, 0.0, 0.0)),
+)
+_LEG = (
     ("UpLeg", "Hips", (HALF_HIPS, HIP - HIPS_HEIGHT, 0.0)),
     ("Leg", "UpLeg", (0.0, -THIGH, 0.0)),
     ("Foot", "Leg", (0.0, -SHANK, 0.0)),
@@ -83,14 +85,15 @@ def human_skeleton(height: float = 1.75) -> Skeleton:
     if not np.isfinite(height) or height <= 0:
         raise ParameterError(f"height must be a positive length in metres, got {height}.")
     joints = list(_AXIS)
-    for side, sign in (("Left", 1.0), ("Right", -1.0)):
-        for name, parent, (x, y, z) in _SIDE:
-            joints.append(
-                (side + name, parent if parent in ("Hips", "Chest") else side + parent, (sign * x, y, z))
-            )
+    sides = (("Left", 1.0), ("Right", -1.0))
+    for limb in (_ARM, _LEG):
+        for side, sign in sides:
+            for name, parent, (x, y, z) in limb:
+                on = parent if parent in ("Hips", "Chest") else side + parent
+                joints.append((side + name, on, (sign * x, y, z)))
     names = tuple(name for name, _, _ in joints)
     ends = [("Head", (0.0, 1.0 - CHIN - 0.008, 0.0))]
-    for side, sign in (("Left", 1.0), ("Right", -1.0)):
+    for side, sign in sides:
         ends += [(side + name, (sign * x, y, z)) for name, (x, y, z) in _ENDS]
     return Skeleton(
         names,
