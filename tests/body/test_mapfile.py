@@ -20,6 +20,11 @@ def test_round_trip(rng):
     assert np.all(again.confidence == 1)
 
 
+def test_embody_takes_the_content_of_a_map_file(rng):
+    motion = human(rng)
+    assert embody(motion, map_to_entries(find_roles(motion))) == embody(motion)
+
+
 def test_members_are_averaged(rng):
     motion = human(rng)
     body = embody(motion, map_from({"head": ["Neck", "Head"], "pelvis": "Hips", "left_hip": "LeftUpLeg",

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
+
 import numpy as np
 
 from leitmotion.body.body import Body, BodyMap
 from leitmotion.body.facing import yaw_of_trunk
+from leitmotion.body.mapfile import map_from
 from leitmotion.body.mapping import find_roles
 from leitmotion.body.names import parse_names
 from leitmotion.body.roles import ANALYSIS_ROLES
@@ -21,7 +24,10 @@ HELPERS = (
 )  # fmt: skip
 
 
-def embody(recording: Motion | Trajectories, body_map: BodyMap | None = None) -> Body:
+def embody(
+    recording: Motion | Trajectories,
+    body_map: BodyMap | Mapping[str, str | Sequence[str]] | None = None,
+) -> Body:
     """Turn a recording into a body: points that have a role, which way they face, how large they are.
 
     A role of several members stands at their mean; it is NaN in a frame where one of them is unseen, since
@@ -36,8 +42,9 @@ def embody(recording: Motion | Trajectories, body_map: BodyMap | None = None) ->
     ----------
     recording : Motion or Trajectories
         T frames, Y up.
-    body_map : BodyMap, optional
-        Which of its points stand for which role; by default what :func:`find_roles` finds.
+    body_map : BodyMap or mapping of str, optional
+        Which of its points stand for which role, also as the content of a map file (:func:`map_from`); by
+        default what :func:`find_roles` finds.
 
     Returns
     -------
@@ -66,6 +73,8 @@ def embody(recording: Motion | Trajectories, body_map: BodyMap | None = None) ->
         raise DataError(f"A body needs at least one frame, {recording.name or 'the recording'} has none.")
     if body_map is None:
         body_map = find_roles(recording)
+    elif not isinstance(body_map, BodyMap):
+        body_map = map_from(body_map, recording)
     names, positions = _points(recording)
     _check_members(body_map, names)
     place = {name: i for i, name in enumerate(names)}
