@@ -3,18 +3,21 @@
 from __future__ import annotations
 
 import csv
-import io as text_io
+import io as streams
 import json
 import os
 import sys
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import click
 
 from leitmotion.cli.documents import Document
 from leitmotion.cli.inputs import Input
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
 
 OURS = b'name="generator" content="Leitmotion'
 """Stands near the start of every page that Leitmotion writes."""
@@ -73,9 +76,17 @@ def write_documents(path: Path, documents: list[Document], columns: Sequence[str
         held = documents[0] if len(documents) == 1 else documents
         write_whole(path, json.dumps(held, indent=1, allow_nan=False) + "\n")
     else:
-        write_whole(
-            path, _table([row for document in documents if "result" in document for row in rows(document)])
-        )
+        answered = [document for document in documents if "result" in document]
+        write_whole(path, _table(columns, [row for document in answered for row in rows(document)]))
+
+
+def write_figure(path: Path, figure: Figure) -> None:
+    """Write a figure as a picture, in the format that the ending says."""
+    from leitmotion.io import write_whole
+
+    picture = streams.BytesIO()
+    figure.savefig(picture, format=path.suffix.lower().removeprefix("."), dpi=200)
+    write_whole(path, picture.getvalue())
 
 
 def open_page(page: Path) -> bool:
@@ -107,7 +118,7 @@ def _is_ours(path: Path) -> bool:
 
 
 def _table(columns: Sequence[str], rows: Iterable[Mapping[str, Any]]) -> str:
-    out = text_io.StringIO()
+    out = streams.StringIO()
     writer = csv.DictWriter(out, fieldnames=columns, lineterminator="\n")
     writer.writeheader()
     writer.writerows(rows)

@@ -12,7 +12,7 @@ from leitmotion.cli.batch import Answer, answer_each, finish
 from leitmotion.cli.documents import Document, patterns_result
 from leitmotion.cli.inputs import Input
 from leitmotion.cli.options import Options, as_json, common, examples, force, output
-from leitmotion.cli.outputs import check_output, write_documents
+from leitmotion.cli.outputs import check_output, write_documents, write_figure
 from leitmotion.cli.printing import print_table
 from leitmotion.cli.progress import Progress, compiling_noted
 from leitmotion.cli.recordings import Opened, open_one
@@ -151,7 +151,7 @@ def _write_one(path: Path, opened: Opened, found: Patterns, options: Options) ->
     else:
         from leitmotion.view import plot_patterns
 
-        plot_patterns(opened.body, found).savefig(path)
+        write_figure(path, plot_patterns(found, seconds=opened.source[0]["seconds"]))
 
 
 def _rows(document: Document) -> Iterator[dict[str, object]]:
