@@ -1,3 +1,4 @@
+# mypy: allow-untyped-defs
 """Kernels that turn decimal text into numbers: plain loops over bytes, no checks, no exceptions.
 
 A decimal whose digits make an integer of at most 2^53 and whose power of ten is at most 22 in size is converted
@@ -188,12 +189,12 @@ def scan_rows(text, i, delimiter, pad, values, doubts):
 
 @njit(cache=True)
 def _ends(c, delimiter):
-    return c == _SPACE or c == _LF or c == _TAB or c == _CR or c == delimiter  # noqa: SIM109
+    return c in (_SPACE, _LF, _CR, _TAB, delimiter)
 
 
 @njit(cache=True)
 def _skip_space(text, i, n):
-    while i < n and (text[i] == _SPACE or text[i] == _TAB or text[i] == _CR):  # noqa: SIM109
+    while i < n and (text[i] == _SPACE or text[i] == _TAB or text[i] == _CR):
         i += 1
     return i
 
@@ -207,7 +208,7 @@ def _skip_only(text, i, n):
 
 @njit(cache=True)
 def _skip_blank(text, i, n):
-    while i < n and (text[i] == _SPACE or text[i] == _TAB or text[i] == _CR or text[i] == _LF):  # noqa: SIM109
+    while i < n and (text[i] == _SPACE or text[i] == _TAB or text[i] == _CR or text[i] == _LF):
         i += 1
     return i
 

@@ -16,6 +16,8 @@ from os import PathLike
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+
 from leitmotion.io.sources import read_bytes
 from leitmotion.io.whole import write_whole
 from leitmotion.motion import FormatError, ParameterError, Segmentation
@@ -152,12 +154,12 @@ def _segmentation(rows: list[Row], rate: float, frames: int | None, path: Path) 
         spans.append((first, last, label, score))
     try:
         return Segmentation(
-            [s[0] for s in spans],
-            [s[1] for s in spans],
-            tuple(s[2] for s in spans),
-            [s[3] for s in spans],
+            np.array([start for start, _, _, _ in spans], dtype=np.int64),
+            np.array([stop for _, stop, _, _ in spans], dtype=np.int64),
+            tuple(label for _, _, label, _ in spans),
+            np.array([score for _, _, _, score in spans], dtype=np.float64),
             rate,
-        )  # type: ignore[arg-type]
+        )
     except ParameterError as error:
         raise FormatError(f"{path.name}: {error.message}") from None
 

@@ -192,7 +192,7 @@ def _explain(
 
     if status == _kernels.CUT:
         warnings.append(
-            f"The file ends within its frame {frames + 1}, at bone {labels[bone]!r}; the {frames} whole frames were read."
+            f"The file ends within its frame {frames + 1}, at bone {labels[bone]!r}; the {frames} whole ones were read."
         )
         return
     line = source.content[stopped:].partition(b"\n")[0].strip().decode("latin-1")

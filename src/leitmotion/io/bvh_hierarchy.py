@@ -1,6 +1,6 @@
 """The HIERARCHY section of a BVH: joints, offsets, channels, end sites.
 
-The grammar is read by lines and tabs, colons, the word "end" or blanks within a joint's name do no harm.
+The grammar is read by lines, so that colons, blanks or the word "end" within a joint's name do no harm.
 """
 
 from __future__ import annotations
@@ -14,6 +14,7 @@ from leitmotion.io.people import distinct
 from leitmotion.io.reading import Source
 
 _CHANNEL = re.compile(r"([xyz])(position|rotation)$", re.IGNORECASE)
+_END = -1  # stands for an end site among the open braces
 
 
 @dataclass
@@ -29,92 +30,130 @@ class Joint:
 
 
 def read_hierarchy(source: Source, warnings: list[str]) -> tuple[list[Joint], int]:
-    """Joints in the file's order, which is parents first, and the byte where the section MOTION begins."""
-    joints: list[Joint] = []
-    stack: list[int | None] = []  # the open braces: a joint, or None for an end site
-    pending: int | None = None
-    awaiting = False
-    columns = 0
-    position = 0
+    """Read the joints of a BVH.
+
+    Parameters
+    ----------
+    source : Source
+        The file.
+    warnings : list of str
+        Gains a sentence where joints have one name.
+
+    Returns
+    -------
+    tuple
+        The joints in the file's order, parents first, and the byte after the line MOTION.
+
+    Raises
+    ------
+    FormatError
+        When the section is not what the format says; it names the line.
+    """
     content = source.content
     if not re.match(rb"(\xef\xbb\xbf)?\s*HIERARCHY\b", content, re.IGNORECASE):
         raise source.fault(0, "the word HIERARCHY", glimpse(content), remedy="Is this a BVH file?")
+    tree = _Tree(source)
+    position = 0
     while position < len(content):
         stop = content.find(b"\n", position)
         stop = len(content) if stop < 0 else stop
-        line = content[position:stop].decode("utf-8", "replace").replace("\ufeff", "").strip()
-        if line.endswith("{") and len(line) > 1:
-            line, brace = line[:-1].strip(), True
-        else:
-            brace = False
-        word, _, rest = line.partition(" ") if " " in line else line.partition("\t")
-        word, rest = word.upper().strip(), rest.strip()
-        if "\t" in word:
-            word, _, more = word.partition("\t")
-            rest = line[len(word) :].strip()
-        if word in ("ROOT", "JOINT"):
-            if awaiting:
-                raise source.fault(position, "a brace {", line)
-            if (word == "ROOT") != (not stack):
-                raise source.fault(position, "a JOINT within a joint and a ROOT outside", line)
-            if word == "JOINT" and stack[-1] is None:
-                raise source.fault(position, "no JOINT within an End Site", line)
-            joints.append(Joint(rest or f"joint{len(joints)}", -1 if not stack else int(stack[-1] or 0)))
-            pending, awaiting = len(joints) - 1, True
-        elif word == "END" and rest.upper().startswith("SITE"):
-            if not stack or stack[-1] is None:
-                raise source.fault(position, "an End Site within a joint", line)
-            pending, awaiting = None, True
-        elif word == "OFFSET":
-            if not stack:
-                raise source.fault(position, "an OFFSET within a joint", line)
-            offset = _floats(source, position, rest.split(), 3)
-            if stack[-1] is None:
-                joints[_owner(stack)].ends.append(offset)
-            else:
-                joints[stack[-1]].offset = offset
-        elif word == "CHANNELS":
-            if not stack or stack[-1] is None:
-                raise source.fault(position, "CHANNELS within a joint", line)
-            joint = joints[stack[-1]]
-            joint.channels, joint.first = _channels(source, position, rest.split()), columns
-            columns += len(joint.channels)
-        elif word == "MOTION":
-            if stack:
-                raise source.fault(position, f"{len(stack)} closing braces before MOTION", "none")
-            if not joints:
-                raise source.fault(position, "a ROOT before MOTION", "none")
-            return _distinct(joints, warnings), stop + 1
-        elif line and set(line) - set("{} \t") and word != "HIERARCHY":
-            raise source.fault(
-                position, "ROOT, JOINT, End Site, OFFSET, CHANNELS or a brace", repr(line[:60])
-            )
-        for mark in "{" * brace + (line if not set(line) - set("{} \t") else ""):
-            if mark == "{":
-                if not awaiting:
-                    raise source.fault(position, "a JOINT before the brace", "{")
-                stack.append(pending)
-                awaiting = False
-            elif mark == "}":
-                if not stack:
-                    raise source.fault(position, "no more closing braces than open ones", "}")
-                stack.pop()
+        line = content[position:stop].decode("utf-8", "replace").strip("\ufeff \t\r")
+        if line.upper() == "MOTION":
+            tree.close(position)
+            return _distinct(tree.joints, warnings), stop + 1
+        tree.take(line, position)
         position = stop + 1
-    raise source.error(
-        "expected a section MOTION after the hierarchy, found the end: the file was cut short."
-    )
+    raise source.error("expected a section MOTION after the hierarchy, found the end: the file was cut short.")
 
 
-def _owner(stack: list[int | None]) -> int:
-    return next(joint for joint in reversed(stack) if joint is not None)
+def glimpse(content: bytes) -> str:
+    """Quote how a text begins."""
+    return repr(content[:40].decode("latin-1"))
+
+
+class _Tree:
+    """The joints read so far, and the braces that are open."""
+
+    def __init__(self, source: Source) -> None:
+        self.source = source
+        self.joints: list[Joint] = []
+        self.open: list[int] = []  # places of joints, _END for an end site
+        self.awaited: int | None = None  # what the next brace opens
+        self.columns = 0
+
+    def take(self, line: str, position: int) -> None:
+        """Take in one line."""
+        if not line.strip("{} \t"):
+            for mark in line:
+                self._brace(mark, position)
+            return
+        brace = line.endswith("{")
+        words = line.rstrip("{").split(None, 1)
+        word, rest = words[0].upper(), words[1].strip() if len(words) > 1 else ""
+        if word in ("ROOT", "JOINT"):
+            self._joint(word, rest, position)
+        elif word == "END" and rest.upper().startswith("SITE"):
+            self._inside(position, "an End Site within a joint", line)
+            self.awaited = _END
+        elif word == "OFFSET":
+            self._offset(rest, position)
+        elif word == "CHANNELS":
+            self._inside(position, "CHANNELS within a joint", line)
+            joint = self.joints[self.open[-1]]
+            if joint.channels:
+                raise self.source.fault(position, "CHANNELS once a joint", "them again")
+            joint.channels, joint.first = _channels(self.source, position, rest.split()), self.columns
+            self.columns += len(joint.channels)
+        elif word != "HIERARCHY":
+            expected = "ROOT, JOINT, End Site, OFFSET, CHANNELS or a brace"
+            raise self.source.fault(position, expected, repr(line[:60]))
+        if brace:
+            self._brace("{", position)
+
+    def close(self, position: int) -> None:
+        """Check that the section is complete."""
+        if self.open:
+            raise self.source.fault(position, f"{len(self.open)} closing braces before MOTION", "none")
+        if not self.joints:
+            raise self.source.fault(position, "a ROOT before MOTION", "none")
+
+    def _joint(self, word: str, name: str, position: int) -> None:
+        if (word == "ROOT") == bool(self.open) or self.open[-1:] == [_END] or self.awaited is not None:
+            raise self.source.fault(position, "a ROOT outside joints and a JOINT within one", f"{word} {name}")
+        parent = self.open[-1] if self.open else -1
+        self.joints.append(Joint(name or f"joint{len(self.joints)}", parent))
+        self.awaited = len(self.joints) - 1
+
+    def _offset(self, rest: str, position: int) -> None:
+        if not self.open:
+            raise self.source.fault(position, "an OFFSET within a joint", "one outside")
+        offset = _floats(self.source, position, rest.split(), 3)
+        if self.open[-1] == _END:
+            self.joints[self.open[-2]].ends.append(offset)
+        else:
+            self.joints[self.open[-1]].offset = offset
+
+    def _inside(self, position: int, expected: str, line: str) -> None:
+        if not self.open or self.open[-1] == _END:
+            raise self.source.fault(position, expected, repr(line[:60]))
+
+    def _brace(self, mark: str, position: int) -> None:
+        if mark == "{":
+            if self.awaited is None:
+                raise self.source.fault(position, "a joint before the brace", "{")
+            self.open.append(self.awaited)
+            self.awaited = None
+        elif mark == "}":
+            if not self.open or self.awaited is not None:
+                raise self.source.fault(position, "no more closing braces than open ones", "}")
+            self.open.pop()
 
 
 def _channels(source: Source, position: int, words: list[str]) -> list[str]:
-    """Channel letters: upper case moves, lower case turns."""
     try:
         count = int(words[0])
     except (IndexError, ValueError):
-        raise source.fault(position, "a count of channels", repr(" ".join(words))) from None
+        raise source.fault(position, "a count of channels", repr(" ".join(words)[:60])) from None
     if len(words) - 1 != count:
         raise source.fault(position, f"{count} channels", str(len(words) - 1))
     letters = []
@@ -124,9 +163,9 @@ def _channels(source: Source, position: int, words: list[str]) -> list[str]:
             raise source.fault(position, "channels such as Xposition or Zrotation", repr(word))
         letter = match[1].lower()
         letters.append(letter.upper() if match[2].lower() == "position" else letter)
-    for letter in set(letters):
-        if letter.isupper() and letters.count(letter) > 1:
-            raise source.fault(position, "each position channel once", f"{letter}position twice")
+    moves = [letter for letter in letters if letter.isupper()]
+    if len(set(moves)) < len(moves):
+        raise source.fault(position, "each position channel once", " ".join(words[1:]))
     return letters
 
 
@@ -138,10 +177,6 @@ def _floats(source: Source, position: int, words: list[str], count: int) -> list
     if len(values) != count or not np.isfinite(values).all():
         raise source.fault(position, f"{count} numbers", repr(" ".join(words)[:60]))
     return values
-
-
-def glimpse(content: bytes) -> str:
-    return repr(content[:40].decode("latin-1"))
 
 
 def _distinct(joints: list[Joint], warnings: list[str]) -> list[Joint]:

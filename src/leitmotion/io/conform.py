@@ -50,7 +50,7 @@ def conform(
     ParameterError
         When an option is none of those that exist.
     """
-    first = max(draft.takes, key=lambda take: len(take.names))
+    first: SkeletonTake | PointTake = max(draft.takes, key=lambda take: len(take.names))
     positions = look(first)
     rate = _rate(draft, options)
     up = _up(draft, options, positions, first)

@@ -40,11 +40,13 @@ class Format:
 
     def read(self, source: Source) -> Draft:
         """Read a file of this format."""
-        return import_module(f"leitmotion.io.{self.module}").read(source)  # type: ignore[no-any-return]
+        draft: Draft = import_module(f"leitmotion.io.{self.module}").read(source)
+        return draft
 
     def write(self, recording: Motion | Trajectories, **options: Any) -> bytes:
         """Make the bytes of a file of this format."""
-        return import_module(f"leitmotion.io.{self.module}").write(recording, **options)  # type: ignore[no-any-return]
+        content: bytes = import_module(f"leitmotion.io.{self.module}").write(recording, **options)
+        return content
 
 
 def _starts(pattern: bytes) -> Callable[[bytes], bool]:

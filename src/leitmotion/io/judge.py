@@ -190,13 +190,17 @@ def judge_sides(motion: Motion) -> Finding | None:
         "right" for right-handed; "left" where the sides look swapped; None where it cannot be told.
     """
     words = [name.lower() for name in motion.skeleton.names]
-    hips = [_find(words, side, ("knee", "lowerleg", "tibia", "shin", "leg")) for side in "lr"]
-    feet = [_find(words, side, ("ankle", "foot")) for side in "lr"]
-    toes = [_find(words, side, ("toe",)) for side in "lr"]
-    if None in hips or None in feet or None in toes:
+    knees = [
+        k
+        for side in "lr"
+        if (k := _find(words, side, ("knee", "lowerleg", "tibia", "shin", "leg"))) is not None
+    ]
+    feet = [k for side in "lr" if (k := _find(words, side, ("ankle", "foot"))) is not None]
+    toes = [k for side in "lr" if (k := _find(words, side, ("toe",))) is not None]
+    if not len(knees) == len(feet) == len(toes) == 2:
         return None
     pose = forward_kinematics(motion[:: max(1, len(motion) // _LOOKS)]).positions
-    left = pose[:, hips[0]] - pose[:, hips[1]]
+    left = pose[:, knees[0]] - pose[:, knees[1]]
     forward = (pose[:, toes] - pose[:, feet]).mean(axis=1)
     facing = left[:, 0] * forward[:, 2] - left[:, 2] * forward[:, 0]
     vote = float(np.sign(facing).mean())

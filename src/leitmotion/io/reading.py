@@ -7,6 +7,7 @@ else: numbers stay in the file's unit and axes, and what the format does not say
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from os import PathLike
 from pathlib import Path
@@ -75,7 +76,7 @@ class Source:
     options: Options = field(default_factory=Options)
 
     def line_of(self, position: int) -> int:
-        """Number, from 1, of the line that holds the byte at `position`."""
+        """Count the lines up to the one that holds the byte at `position`, from 1."""
         return self.content.count(b"\n", 0, position) + 1
 
     def fault(self, position: int, expected: str, found: str, *, remedy: str = "") -> FormatError:
@@ -119,7 +120,7 @@ class PointTake:
 class Draft:
     """What a reader found: takes in the file's unit and axes, and what the format says about them."""
 
-    takes: list[SkeletonTake] | list[PointTake]
+    takes: Sequence[SkeletonTake | PointTake]
     rate: Finding
     unit: Finding | None = None
     up: Finding | None = None

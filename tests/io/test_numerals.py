@@ -1,0 +1,80 @@
+"""Numbers in text: bit for bit what Python's float reads."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from hypothesis import example, given, settings
+from hypothesis import strategies as st
+
+from leitmotion.io.numerals import read_rows
+from leitmotion.io.reading import Source
+from leitmotion.motion import FormatError
+
+
+def rows(text, columns, **kwargs):
+    return read_rows(Source(Path("table.txt"), text.encode()), 0, columns, **kwargs)
+
+
+SPELLINGS = st.one_of(
+    st.floats(allow_nan=False, allow_infinity=False).map(repr),
+    st.floats(-1e6, 1e6).map(lambda x: f"{x:.6f}"),
+    st.floats(-1e6, 1e6).map(lambda x: f"{x:.5e}"),
+    st.from_regex(r"[+-]?[0-9]{1,25}(\.[0-9]{0,25})?([eE][+-]?[0-9]{1,2})?", fullmatch=True),
+    st.from_regex(r"[+-]?\.[0-9]{1,25}([eE][+-]?[0-9]{1,2})?", fullmatch=True),
+)
+
+
+@given(st.lists(SPELLINGS, min_size=1, max_size=12))
+@example(["0.1", "-0.0", "9007199254740993", "1e22", "1e23", "123456789012345678901234567890"])
+@example(["-1.39149e-015", "5e-324", "1.7976931348623157e308", "0.00000000000000000000000000001", ".5", "5."])
+@settings(max_examples=300, deadline=None)
+def test_every_number_is_read_as_float_reads_it(words):
+    read = rows(" ".join(words) + "\n", len(words)).values[0]
+    expected = np.array([float(word) for word in words])
+    assert read.tobytes() == expected.tobytes()
+
+
+@pytest.mark.parametrize("ending", ["\n", "\r\n", "\n\n", "\r\n \t\r\n", ""])
+def test_line_endings_blank_lines_and_tabs_do_no_harm(ending):
+    text = f"1 2\t3{ending or chr(10)}  4\t5 6 {ending}"
+    np.testing.assert_array_equal(rows(text, 3).values, [[1, 2, 3], [4, 5, 6]])
+
+
+def test_a_short_last_row_is_left_out_and_told():
+    read = rows("1 2 3\n4 5", 3)
+    assert read.cut
+    np.testing.assert_array_equal(read.values, [[1, 2, 3]])
+    assert rows("1 2 3\n4 5\n", 3).cut
+
+
+@pytest.mark.parametrize("text", ["1 2 3\n4 5\n6 7 8\n", "1 2 3\n4 5 6 7\n6 7 8\n"])
+def test_a_row_of_another_length_is_an_error_with_its_line(text):
+    with pytest.raises(FormatError, match=r"line 2: expected 3 numbers in the row"):
+        rows(text, 3)
+
+
+@pytest.mark.parametrize("word", ["abc", "1_0", "nan", "inf", "1.#IND", "0x10", "1e", "--1", "1e400"])
+def test_what_is_no_number_is_an_error_with_its_line(word):
+    with pytest.raises(FormatError, match=r"table.txt, line 2: expected a number, found"):
+        rows(f"1 2\n3 {word}\n", 2)
+
+
+@pytest.mark.parametrize("word", ["", "nan", "NaN", "1.#IND", "-1.#IND", "1.#QNAN", "NA", "null"])
+@pytest.mark.parametrize("delimiter", [",", "\t", ";"])
+def test_missing_cells_are_nan_where_they_may_be(word, delimiter):
+    text = delimiter.join(["1", word, "3"]) + "\n" + delimiter.join([word, "5", word]) + "\n"
+    expected = [[1, np.nan, 3], [np.nan, 5, np.nan]]
+    np.testing.assert_array_equal(rows(text, 3, delimiter=delimiter, missing=True).values, expected)
+
+
+def test_a_cell_of_words_keeps_its_column():
+    read = rows("a b c,1\n  d e,2\n", 2, delimiter=",", missing=True, wanted=[1])
+    np.testing.assert_array_equal(read.values[:, 1], [1, 2])
+    with pytest.raises(FormatError, match="line 1"):
+        rows("1 2,3\n", 2, delimiter=",", missing=True)
+
+
+def test_short_rows_of_a_table_end_in_missing_cells():
+    read = rows("1\t2\t3\n4\n\n\t\t6\n", 3, delimiter="\t", missing=True)
+    np.testing.assert_array_equal(read.values, [[1, 2, 3], [4, np.nan, np.nan], [np.nan, np.nan, 6]])
