@@ -224,6 +224,13 @@ def test_a_marker_on_a_segment_is_no_joint():
     assert told["left_elbow"] == ("L.Elbow",)
 
 
+def test_a_table_of_bones_is_one_of_joints(rng):
+    motion = human(rng)
+    table = points_of(motion, kind="marker")
+    told, meant = (dict(zip((found := find_roles(one)).roles, found.members)) for one in (table, motion))
+    assert {role: told[role] for role in ANALYSIS_ROLES} == {role: meant[role] for role in ANALYSIS_ROLES}
+
+
 def test_unknown_names_get_no_role():
     found = find_roles(markers([f"Channel{n}" for n in range(101, 141)]))
     assert found.roles == ()

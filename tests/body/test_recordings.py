@@ -97,3 +97,60 @@ def test_amc_and_bvh_of_one_trial_face_the_same_way(data):
     for role in ("left_knee", "right_ankle", "pelvis"):
         apart = amc.positions[:, amc.roles.index(role)] - bvh.positions[1:, bvh.roles.index(role)]
         assert np.abs(apart).max() < 2e-3, role
+
+
+@pytest.mark.data
+@pytest.mark.parametrize(
+    ("file", "missing"),
+    [
+        ("btk/T.trc", set()),
+        ("btk/ballet_reduced.trc", set()),
+        ("pycgm/Movement_trial.c3d", set()),
+        ("btk/Gait.c3d", {"head"}),
+        ("btk/Gait.trc", {"head"}),
+        ("opensim/motion_capture_walk.trc", {"head"}),
+        ("opensim/subject02_running.trc", {"left_knee", "right_knee", "left_ankle", "right_ankle"}),
+    ],
+)
+def test_marker_sets_are_understood(data, file, missing):
+    recording = io.read(data / file)
+    found = find_roles(recording)
+    assert set(ANALYSIS_ROLES) - set(found.roles) == missing
+    assert found.confidence.max() <= 0.9, "no marker is a joint"
+    assert found.confidence.min() >= 0.4
+    assert 1.3 < embody(recording).size < 1.7
+
+
+@pytest.mark.data
+@pytest.mark.parametrize(
+    "file",
+    [
+        "btk/Gait.c3d",
+        "btk/Gait.trc",
+        "btk/PiG_Motion3_FF.c3d",
+        "bmclab/walk.trc",
+        "opensim/motion_capture_walk.trc",
+    ],
+)
+def test_markers_that_walk_forwards_face_there(data, file):
+    angle = heading_against_facing(embody(io.read(data / file)))
+    assert len(angle)
+    assert (np.abs(angle) < np.pi / 4).all()
+
+
+@pytest.mark.data
+def test_left_handed_axes_are_doubted(data):
+    """Its left side is on the right of where its toes point."""
+    found = find_roles(io.read(data / "bmclab" / "walk1.trc"))
+    sure = dict(zip(found.roles, found.confidence))
+    assert sure["left_knee"] == 0.45
+    assert sure["pelvis"] == 0.9
+
+
+@pytest.mark.data
+def test_numbered_channels_have_no_roles(data):
+    recording = io.read(data / "btk" / "Dance.c3d")
+    body = embody(recording)
+    assert find_roles(recording).roles == ()
+    assert body.roles == recording.names
+    assert not body.facing.any()

@@ -16,7 +16,7 @@ from leitmotion.body.body import BodyMap
 from leitmotion.body.names import PointName, parse_names
 from leitmotion.body.plausibility import DOUBT, SEGMENTS, doubts
 from leitmotion.body.roles import ROLES
-from leitmotion.body.vocabulary import AXIAL_WORDS, BONES, LIMB_WORDS, ON_SKIN, Alternative
+from leitmotion.body.vocabulary import AXIAL_WORDS, BONES, LANDMARKS, LIMB_WORDS, ON_SKIN, Alternative
 from leitmotion.motion import Motion, Skeleton, Trajectories, forward_kinematics
 
 SAMPLE = 64  # frames that the geometric check looks at, evenly spread
@@ -57,8 +57,13 @@ def find_roles(recording: Motion | Trajectories) -> BodyMap:
     """
     skeleton = recording.skeleton if isinstance(recording, Motion) else None
     names = skeleton.names if skeleton is not None else recording.names  # type: ignore[union-attr]
-    on_skin = isinstance(recording, Trajectories) and recording.kind == "marker"
-    found = _from_names(parse_names(names), ignored=BONES if on_skin else frozenset())
+    parsed = parse_names(names)
+    on_skin = (
+        isinstance(recording, Trajectories)
+        and recording.kind == "marker"
+        and not LANDMARKS.isdisjoint(name.word for name in parsed)
+    )
+    found = _from_names(parsed, ignored=BONES if on_skin else frozenset())
     if skeleton is not None:
         _trunk_from_tree(found, skeleton)
     _imply(found)

@@ -10,7 +10,8 @@ A number behind an alternative is its confidence: 1 for the joint itself, 0.9 fo
 less for a stand-in. ``fep``, the proximal end of the femur, is what Plug-in-Gait computes for the hip joint.
 
 Words that name a bone (``thigh``, ``forearm``, ``foot``) mean the joint at its proximal end in a skeleton, but a
-marker somewhere on that segment in a marker set, where they say nothing (:data:`BONES`).
+marker somewhere on that segment in a marker set, where they say nothing (:data:`BONES`). A table of points does not
+tell which it is; one that names joints or bony landmarks (:data:`LANDMARKS`) is read as a marker set.
 
 References
 ----------
@@ -106,6 +107,9 @@ BONES = frozenset((
     "arm", "upperarm", "uparm", "uarm", "humerus", "forearm", "lowerarm", "lowarm", "farm", "radius",
 ))  # fmt: skip
 """Words that name a bone rather than a joint."""
+
+LANDMARKS = frozenset(("knee", "kne", "ankle", "ank", "elbow", "elb", "asi", "asis"))
+"""Words that a marker set has and a list of bones has not."""
 
 WORDS = frozenset(
     word.rstrip("*")
