@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from leitmotion.body import ANALYSIS_ROLES, embody
+from leitmotion.features import posture
 from leitmotion.motion import DataError, Trajectories, forward_kinematics
 from oracles.body import human, points_of, scaled, without
 
@@ -84,6 +85,21 @@ def test_unknown_points_keep_their_names():
     assert body.roles == names
     assert not body.facing.any()
     assert 1.2 < body.size < 1.5
+
+
+def test_a_short_map_gives_unnamed_points_their_facing(rng):
+    motion = human(rng)
+    names = {name: f"Channel{j}" for j, name in enumerate(motion.skeleton.names)}
+    four = {
+        "left_hip": "LeftUpLeg",
+        "right_hip": "RightUpLeg",
+        "left_shoulder": "LeftArm",
+        "right_shoulder": "RightArm",
+    }
+    body = embody(points_of(motion, names), {role: names[joint] for role, joint in four.items()})
+    assert body.roles == tuple(names.values())
+    assert np.abs(np.sin(body.facing - embody(motion).facing)).max() < 0.1
+    assert "yaw" in posture(body).invariant_to
 
 
 def test_a_skeleton_without_roles_leaves_its_helpers_out(rng):

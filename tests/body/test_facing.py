@@ -6,8 +6,18 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from leitmotion.body import embody
+from leitmotion.body.facing import yaw_of_trunk
 from leitmotion.motion import rotations
 from oracles.body import human, mirrored, moved, points_of, stiff
+
+TRUNK = {
+    "pelvis": (0.0, 0.0, 0.0),
+    "neck": (0.0, 0.5, 0.0),
+    "left_hip": (0.1, 0.0, 0.0),
+    "right_hip": (-0.1, 0.0, 0.0),
+    "left_shoulder": (0.2, 0.45, 0.0),
+    "right_shoulder": (-0.2, 0.45, 0.0),
+}
 
 
 def angle(a, b):
@@ -30,6 +40,19 @@ def test_turns_with_the_body(seed, yaw):
 def test_changes_sign_in_the_mirror(rng):
     motion = human(rng)
     assert angle(embody(mirrored(motion)).facing, -embody(motion).facing) < 1e-9
+
+
+@settings(max_examples=30, deadline=None)
+@given(st.integers(0, 10_000))
+def test_is_the_twist_of_the_swing_twist_decomposition(seed):
+    """The twin: split the trunk's quaternion into a twist about the vertical and a swing without one."""
+    q = np.random.default_rng(seed).normal(size=(50, 4))
+    q /= np.linalg.norm(q, axis=1, keepdims=True)
+    placed = {role: rotations.rotate(q, np.array(place)) for role, place in TRUNK.items()}
+    upright = q[:, 0] ** 2 + q[:, 2] ** 2 > 0.15
+    for one in np.flatnonzero(upright):
+        yaw = yaw_of_trunk({role: place[one : one + 1] for role, place in placed.items()})
+        assert angle(yaw, 2 * np.arctan2(q[one, 2], q[one, 0])) < 1e-9
 
 
 @pytest.mark.parametrize("axis", ["x", "z"])

@@ -224,6 +224,15 @@ def test_a_marker_on_a_segment_is_no_joint():
     assert told["left_elbow"] == ("L.Elbow",)
 
 
+def test_the_order_of_the_points_does_not_matter(rng):
+    table = points_of(human(rng))
+    shuffled = rng.permutation(len(table.names))
+    other = find_roles(
+        table.replace(names=[table.names[i] for i in shuffled], positions=table.positions[:, shuffled])
+    )
+    assert other == find_roles(table)
+
+
 def test_a_table_of_bones_is_one_of_joints(rng):
     motion = human(rng)
     table = points_of(motion, kind="marker")

@@ -93,6 +93,12 @@ def test_points_without_roles_are_centred_on_the_steadiest():
     assert posture(body).invariant_to == ("place", "body_size", "unit")
 
 
+def test_a_few_roles_among_other_names_do_not_hide_them():
+    positions = np.random.default_rng(3).normal(size=(30, 3, 3))
+    body = Body(("left_wrist", "right_wrist", "bow"), positions, np.zeros(30), rate=30, size=2.0)
+    assert posture(body).names == body.roles
+
+
 def test_planar_points_keep_two_coordinates(dancer):
     points = points_of(dancer)
     flat = posture(embody(points.replace(positions=points.positions[..., :2], unit="px")))

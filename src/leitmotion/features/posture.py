@@ -13,7 +13,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from leitmotion.body import ANALYSIS_ROLES, Body
+from leitmotion.body import ANALYSIS_ROLES, ROLES, Body
 from leitmotion.features.sequence import FeatureSequence
 from leitmotion.motion import ParameterError
 
@@ -91,7 +91,7 @@ def choose_roles(body: Body, roles: Sequence[str] | None) -> tuple[str, ...]:
     """
     if roles is None:
         common = tuple(role for role in ANALYSIS_ROLES if role in body.roles)
-        return common or body.roles
+        return common if common and set(body.roles) <= set(ROLES) else body.roles
     chosen = tuple(roles)
     missing = [role for role in chosen if role not in body.roles]
     if missing or not chosen:
