@@ -98,6 +98,16 @@ def test_a_path_in_place_of_a_recording_is_explained() -> None:
         lm.find_patterns("dance.bvh")  # type: ignore[arg-type]
 
 
+def test_a_role_that_this_body_lacks_may_be_excluded_but_not_compared(session: lm.datasets.Session) -> None:
+    piece = session.motion[:300]
+    absent = next(role for role in lm.body.ROLES if role not in lm.embody(piece).roles)
+    assert lm.find_patterns(piece, exclude=absent) == lm.find_patterns(piece)
+    with pytest.raises(lm.ParameterError, match=f"no joint '{absent}'"):
+        lm.find_patterns(piece, joints=absent)
+    with pytest.raises(lm.ParameterError, match="no joint 'tail'"):
+        lm.find_patterns(piece, exclude=["head", "tail"])
+
+
 def test_excluding_everything_is_refused(session: lm.datasets.Session) -> None:
     with pytest.raises(lm.ParameterError, match="No joint is left"):
         lm.find_patterns(session.motion[:300], exclude="*")
@@ -146,6 +156,7 @@ def test_info_counts_gaps() -> None:
 def test_info_counts_frames_that_repeat() -> None:
     positions = marker_file().positions.copy()
     positions[51:61] = positions[50]
+    positions[80:100] = np.nan
     assert (
         "10 of 120 frames repeat the one before exactly; the longest such hold is 10 frames"
         in problems(marker_file(positions=positions))["duplicates"]
@@ -172,8 +183,14 @@ def test_info_notices_a_jump_after_the_first_frame() -> None:
     (jump,) = [
         problem for problem in lm.info(marker_file(positions=positions)).problems if problem.what == "jumps"
     ]
-    assert "after frame 0 (0.00 s)" in jump.message
+    assert "The first frame is nowhere near the second" in jump.message
     assert "[1:]" in jump.remedy
+
+
+def test_info_counts_jumps() -> None:
+    positions = marker_file().positions.copy()
+    positions[40:60, 4] += 1.0
+    assert "2 times, first after frame 39 (0.39 s)" in problems(marker_file(positions=positions))["jumps"]
 
 
 def test_info_names_what_it_cannot_tell() -> None:

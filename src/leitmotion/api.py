@@ -12,7 +12,7 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
-from leitmotion.body import Body, BodyMap, embody, find_roles, map_from
+from leitmotion.body import ROLES, Body, BodyMap, embody, find_roles, map_from
 from leitmotion.datasets import compose_session
 from leitmotion.discovery import Pattern, Patterns
 from leitmotion.features import FeatureSequence, posture
@@ -209,23 +209,24 @@ def _postures(
 ) -> FeatureSequence:
     if not joints and not exclude:
         return posture(body)
-    wanted = _matching(body, joints) if joints else choose_roles(body, None)
-    unwanted = _matching(body, exclude) if exclude else ()
+    wanted = _matching(joints, body.roles) if joints else choose_roles(body, None)
+    unwanted = _matching(exclude, (*body.roles, *ROLES)) if exclude else ()
     roles = tuple(role for role in wanted if role not in unwanted)
     if not roles:
         raise ParameterError("No joint is left to compare.", remedy="Exclude fewer.")
     return posture(body, roles=roles)
 
 
-def _matching(body: Body, names: str | Sequence[str]) -> tuple[str, ...]:
-    """Roles of a body that the names mean, in the body's order."""
+def _matching(names: str | Sequence[str], known: Sequence[str]) -> tuple[str, ...]:
+    """Those of the known roles that the names mean, wildcards allowed, in the order in which they are known."""
     given = (names,) if isinstance(names, str) else tuple(names)
     for name in given:
-        if not any(fnmatch.fnmatchcase(role, name) for role in body.roles):
+        if not any(fnmatch.fnmatchcase(role, name) for role in known):
             raise ParameterError(
-                f"The body has no joint {name!r} to compare.", remedy=f"It has {', '.join(body.roles)}."
+                f"The body has no joint {name!r} to compare.",
+                remedy=f"It has {', '.join(dict.fromkeys(known))}.",
             )
-    return tuple(role for role in body.roles if any(fnmatch.fnmatchcase(role, name) for name in given))
+    return tuple(role for role in known if any(fnmatch.fnmatchcase(role, name) for name in given))
 
 
 def _thinned(features: FeatureSequence) -> FeatureSequence:

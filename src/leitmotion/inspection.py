@@ -162,9 +162,7 @@ def _describe(
         "rate": Finding(recording.rate, "given", not_from_file),
         **reading.findings,
         "facing": _facing(body),
-        "size": Finding(
-            body.size, "guessed", "ankle to knee to hip, and pelvis to neck to head, the median"
-        ),
+        "size": Finding(body.size, "guessed", "ankle to knee to hip, and pelvis to neck to head, the median"),
     }
     checks = (check(recording, body, body_map) for check in _CHECKS)
     alone = len(reading.recordings) == 1
@@ -286,6 +284,7 @@ def _held(recording: Recording, body: Body, roles: BodyMap) -> Problem | None:
         return None
     flat = positions.reshape(len(positions), -1)
     same = ((flat[1:] == flat[:-1]) | (np.isnan(flat[1:]) & np.isnan(flat[:-1]))).all(axis=1)
+    same &= np.isfinite(flat[1:]).any(axis=1)
     count = int(same.sum())
     if not count:
         return None
@@ -307,15 +306,16 @@ def _jumps(recording: Recording, body: Body, roles: BodyMap) -> Problem | None:
     wild = (whole > FASTEST_BODY_MPS) | (np.where(seen, speeds, 0.0) > FASTEST_POINT_MPS).any(axis=1)
     if not wild.any():
         return None
-    first = int(np.argmax(wild))
+    first, count = int(np.argmax(wild)), int(wild.sum())
+    if count == 1 and first == 0:
+        return Problem(
+            "jumps",
+            "The first frame is nowhere near the second, as in files that begin with a rest pose.",
+            "Take a window that leaves it out: [1:].",
+        )
+    times = f"{count} times, first" if count > 1 else "once,"
     where = f"after frame {first} ({first / recording.rate:.2f} s)"
-    count = int(wild.sum())
-    times = f"{count} times, first {where}" if count > 1 else where
-    return Problem(
-        "jumps",
-        f"Points move faster than a person can {times}.",
-        "Take a window that leaves the first frame out: [1:]." if count == 1 and first == 0 else "",
-    )
+    return Problem("jumps", f"Points move faster than a person can {times} {where}.")
 
 
 def _longest_run(flags: np.ndarray) -> int:

@@ -111,7 +111,7 @@ def _practice(page: Path, options: Options) -> None:
                 page,
                 patterns=found,
                 labels=session.stretches,
-                labels_from="as composed",
+                labels_from="the composition",
                 joints=options.joints,
                 exclude=options.exclude,
             )

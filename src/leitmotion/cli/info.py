@@ -48,7 +48,7 @@ def info(inputs: tuple[str, ...], options: Options) -> None:
     def look(given: Input, progress: Progress) -> Answer:
         from leitmotion.api import info as tell
 
-        progress.say(f"Reading {given.shown}")
+        progress.say(f"Reading {given.path.name}")
         told = tell(given.source, **options.reading, body_map=options.map_entries())
         return Answer(
             source=[source_entry(given, frames=told.frames, rate=told.rate)],
@@ -89,6 +89,12 @@ def _show(console: Console, told: Info) -> None:
     if told.unseen:
         facts.append(("unseen", f"{told.unseen:.1%}", "read", "share of positions that are missing"))
     print_table(console, ("", "", "", ""), facts)
+    _show_roles(console, told)
+
+
+def _show_roles(console: Console, told: Info) -> None:
+    known = {name for members in told.roles.members for name in members}
+    rest = [name for name in told.names if name not in known]
     if told.roles.roles:
         console.print()
         rows = zip(told.roles.roles, told.roles.confidence, told.roles.members, strict=True)
@@ -97,6 +103,9 @@ def _show(console: Console, told: Info) -> None:
             ("role", ">confidence", "joint or markers"),
             [(role, f"{sure:.2f}", ", ".join(members)) for role, sure, members in rows],
         )
+    if rest:
+        console.print()
+        console.print(f"Without a role: {', '.join(rest)}.")
 
 
 def _value(what: str, value: object, told: Info) -> str:

@@ -84,7 +84,7 @@ def search(opened: Opened, options: Options, progress: Progress) -> Patterns:
     """Find what recurs in a recording that is open, telling what goes on."""
     from leitmotion.api import find_patterns
 
-    progress.say(f"Looking for what recurs in {opened.source[0]['path']}")
+    progress.say(f"Looking for what recurs in {opened.recording.name}")
     with compiling_noted(progress):
         return find_patterns(opened.body, **options.searching)
 

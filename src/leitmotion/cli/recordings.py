@@ -50,7 +50,7 @@ def open_one(given: Input, options: Options, progress: Progress) -> Opened:
     from leitmotion.io import open_recording
     from leitmotion.motion import DataError
 
-    progress.say(f"Reading {given.shown}")
+    progress.say(f"Reading {given.path.name}")
     reading = open_recording(given.source, **options.reading)
     if len(reading.recordings) != 1:
         raise DataError(
