@@ -81,24 +81,38 @@ def align_locally(D, theta, still, still_distance, still_gain, ceiling, least):
 
 
 @njit(cache=True)
-def walk_back(step_into, i, j, width):
-    """Follow the steps back from an end and close a corridor of `width` frames around the path, (K, 2).
+def walk_back(step_into, rows, columns, width, shortest):
+    """Follow the steps back from each end in turn and close a corridor of `width` frames around the path.
 
-    A closed cell has no step any more, so that a later path stops where an earlier one ran.
+    A closed cell has no step any more, so that a later path stops where an earlier one ran. Returns the paths of at
+    least `shortest` frames in both directions, one after another (M, 2), and where each begins and the last ends.
     """
     N = step_into.shape[0]
     path = np.empty((2 * N, 2), np.int64)
-    n = 0
-    while step_into[i, j] != NONE:
-        path[n, 0], path[n, 1] = i, j
-        n += 1
-        step = step_into[i, j]
-        if step == START:
-            break
-        i -= 2 if step == STEEP else 1
-        j -= 2 if step == FLAT else 1
-    for k in range(n):
-        for a in range(max(0, path[k, 0] - width), min(N, path[k, 0] + width + 1)):
-            for b in range(max(0, path[k, 1] - width), min(N, path[k, 1] + width + 1)):
-                step_into[a, b] = NONE
-    return path[:n][::-1].copy()
+    points = np.empty((1024, 2), np.int64)
+    offsets = [0]
+    total = 0
+    for k in range(rows.size):
+        i, j = rows[k], columns[k]
+        n = 0
+        while step_into[i, j] != NONE:
+            path[n, 0], path[n, 1] = i, j
+            n += 1
+            step = step_into[i, j]
+            if step == START:
+                break
+            i -= 2 if step == STEEP else 1
+            j -= 2 if step == FLAT else 1
+        for m in range(n):
+            for a in range(max(0, path[m, 0] - width), min(N, path[m, 0] + width + 1)):
+                for b in range(max(0, path[m, 1] - width), min(N, path[m, 1] + width + 1)):
+                    step_into[a, b] = NONE
+        if n == 0 or min(path[0, 0] - path[n - 1, 0], path[0, 1] - path[n - 1, 1]) + 1 < shortest:
+            continue
+        while total + n > len(points):
+            points = np.concatenate((points, np.empty_like(points)))
+        for m in range(n):
+            points[total + m, 0], points[total + m, 1] = path[n - 1 - m, 0], path[n - 1 - m, 1]
+        total += n
+        offsets.append(total)
+    return points[:total], np.array(offsets)

@@ -16,6 +16,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
+from itertools import pairwise
 
 import numpy as np
 
@@ -187,7 +188,7 @@ def _cut(run: Run, moving: np.ndarray) -> list[float]:
 def _moving_part(run: Run, borders: list[float], moving: np.ndarray) -> float:
     """Median length of a cycle up to the rest that follows it."""
     lengths = []
-    for start, stop in zip(borders[:-1], borders[1:], strict=True):
+    for start, stop in pairwise(borders):
         active = np.flatnonzero(moving[int(start) : int(np.ceil(stop))])
         lengths.append(float(active[-1] + 1) if active.size else stop - start)
     return float(np.median(lengths)) if lengths else run.period

@@ -135,6 +135,10 @@ def _linked(first: Run, second: Run, far: Sequence[Stripe]) -> bool:
     columns = np.zeros(int(np.ceil(second.stop)), bool)
     longest = 0
     for stripe in far:
+        if not (
+            overlap(stripe.a, (first.start, first.stop)) and overlap(stripe.b, (second.start, second.stop))
+        ):
+            continue
         i, j = stripe.path[:, 0], stripe.path[:, 1]
         within = (i >= first.start) & (i < first.stop) & (j >= second.start) & (j < second.stop)
         if within.any():

@@ -16,6 +16,7 @@ itself, which needs no window.
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from functools import cached_property
 from typing import NamedTuple
 
 import numpy as np
@@ -49,17 +50,17 @@ class Stripe:
     background: float  # median distance in the rectangle of the two stretches
     gain: float  # sum of 1 - d / threshold
 
-    @property
+    @cached_property
     def a(self) -> tuple[int, int]:
         """The earlier stretch, ``[start, stop)``."""
         return int(self.path[0, 0]), int(self.path[-1, 0]) + 1
 
-    @property
+    @cached_property
     def b(self) -> tuple[int, int]:
         """The later stretch, ``[start, stop)``."""
         return int(self.path[0, 1]), int(self.path[-1, 1]) + 1
 
-    @property
+    @cached_property
     def lag(self) -> float:
         """How much later the later one is, moments."""
         return float(np.median(self.path[:, 1] - self.path[:, 0]))
@@ -137,10 +138,12 @@ def trace_stripes(
         distances, alike.threshold, alike.still,
         np.float32(0.5 * max_distance), np.float32(-0.1), np.float32(GAP_S * rate), np.float32(0.2 * shortest),
     )  # fmt: skip
+    best_first = np.argsort(-gains, kind="stable")
+    corridor = max(1, round(CORRIDOR_S * rate))
+    points, offsets = walk_back(step_into, rows[best_first], columns[best_first], corridor, shortest)
     stripes = []
-    for k in np.lexsort((columns, rows, -gains)):
-        path = walk_back(step_into, rows[k], columns[k], max(1, round(CORRIDOR_S * rate)))
-        stripe = measure(path, distances, alike)
+    for path in np.split(points, offsets[1:-1]):
+        stripe = measure(path, distances, alike) if len(path) else None
         if stripe is not None and min(stripe.a[1] - stripe.a[0], stripe.b[1] - stripe.b[0]) >= shortest:
             stripes.append(stripe)
     return stripes
