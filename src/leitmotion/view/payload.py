@@ -123,20 +123,22 @@ class _Unit:
 
     def __init__(self, body: Body, matrix: SimilarityMatrix) -> None:
         self.draw = 1.0 if body.unit == "m" else BODY_SIZE / body.size
-        self.positional = matrix.metric == "mean_norm" and matrix.unit != "rad"
+        self.positional = matrix.metric == "mean_norm" and matrix.unit in ("m", "px", "relative")
         if not self.positional:
-            self.per_value, self.shown, self.word = matrix.scale, 180 / np.pi, "°"
-            self.floor, self.round = 5.0, 1.0
+            shown = {"rad": (180 / np.pi, "°"), "m/s": (100.0, "cm/s")}
+            self.per_value = matrix.scale
+            self.shown, self.word = shown.get(matrix.unit, (1.0, matrix.unit))
+            self.least, self.most = 5.0, 30.0
         elif body.unit == "m":
             self.per_value, self.shown, self.word = matrix.scale, 100.0, "cm"
-            self.floor, self.round = 8.0, 1.0
+            self.least, self.most = 8.0, 16.0
         else:
             self.per_value, self.shown, self.word = (
                 matrix.scale * self.draw,
                 100 / BODY_SIZE,
                 "% of body size",
             )
-            self.floor, self.round = 5.0, 1.0
+            self.least, self.most = 5.0, 10.0
 
 
 def _check(body: Body, matrix: SimilarityMatrix) -> None:
@@ -165,13 +167,16 @@ def _at(values: np.ndarray, rows: np.ndarray) -> np.ndarray:
 
 
 def _distance_cap(distances: np.ndarray, unit: _Unit) -> float:
-    """Distance from which on the map is blank: the 60th percentile off the diagonal, a whole number, at least 8 cm."""
+    """Distance from which on the map is blank, a whole number: the 60th percentile off the diagonal, 8 to 16 cm.
+
+    The upper bound keeps "alike" meaningful where most postures differ greatly, as when a person lies down.
+    """
     stride = max(1, len(distances) // 1000)
     sample = distances[::stride, ::stride]
     off = sample[~np.eye(len(sample), dtype=bool)]
     off = off[np.isfinite(off)] * unit.per_value * unit.shown
-    typical = float(np.percentile(off, CAP_PERCENTILE)) if off.size else unit.floor
-    return float(max(unit.floor, np.ceil(typical / unit.round - 1e-9) * unit.round)) / unit.shown
+    typical = float(np.percentile(off, CAP_PERCENTILE)) if off.size else unit.least
+    return float(np.clip(np.ceil(typical - 1e-9), unit.least, unit.most)) / unit.shown
 
 
 def _body(body: Body, step: int, unit: _Unit, patterns: Patterns) -> dict[str, Any]:
@@ -182,6 +187,7 @@ def _body(body: Body, step: int, unit: _Unit, patterns: Patterns) -> dict[str, A
         drawn[np.isnan(drawn[..., 0]), 2] = np.nan
     known = tuple(role for role in body.roles if role in ROLES)
     size = body.size * unit.draw
+    floor = floor_height(drawn, size / FULL_SIZE)
     index = {role: r for r, role in enumerate(body.roles)}
     compared = (
         [index[role] for role in ANALYSIS_ROLES if role in index] if known else list(range(len(body.roles)))
@@ -196,7 +202,8 @@ def _body(body: Body, step: int, unit: _Unit, patterns: Patterns) -> dict[str, A
         "metres": body.unit == "m",
         "girth": size / FULL_SIZE,
         "height": _height(drawn) + (HEAD_TOP * size / FULL_SIZE if "head" in index else 0.0),
-        "floor": floor_height(drawn, size / FULL_SIZE),
+        "reach": _reach(drawn, floor) + 0.06 * size / FULL_SIZE,
+        "floor": floor,
         "yaw": 0.0 if flat else look_across(drawn, body.facing[::step]),
         "positions": _millimetres(drawn),
         "facing": _array(body.facing[::step], "f4"),
@@ -210,6 +217,13 @@ def _height(drawn: np.ndarray) -> float:
     if not seen.any():
         return 1.7
     return float(np.percentile(np.nanmax(y[seen], axis=1) - np.nanmin(y[seen], axis=1), 90)) or 1.0
+
+
+def _reach(drawn: np.ndarray, floor: float) -> float:
+    """How high the highest posture reaches above the floor, a stray point apart."""
+    y = drawn[..., 1]
+    seen = np.isfinite(y).any(axis=1)
+    return float(np.percentile(np.nanmax(y[seen], axis=1), 99.5) - floor) if seen.any() else 1.7
 
 
 def _millimetres(drawn: np.ndarray) -> dict[str, Any]:

@@ -47,7 +47,8 @@ function besideTrunk(camera, at) {
   const edge = (TORSO_STROKE / 2) * clip.girth * seen[0].scale + 9;
   const [low, high] = [Math.min(...seen.map((p) => p.x)) - edge, Math.max(...seen.map((p) => p.x)) + edge];
   const [top, foot] = [Math.min(...seen.map((p) => p.y)) - edge, Math.max(...seen.map((p) => p.y)) + edge];
-  if (at.x > low && at.x < high && at.y > top && at.y < foot) at.x = at.x - low < high - at.x ? low : high;
+  const way = at.x - low < high - at.x ? low - at.x : high - at.x;
+  if (at.x > low && at.x < high && at.y > top && at.y < foot && Math.abs(way) < 26) at.x += way;
   return at;
 }
 

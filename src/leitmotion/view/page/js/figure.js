@@ -226,11 +226,12 @@ function disc(pen, x, y, r) {
 
 // A small figure: yaw removed, seen from .45 rad to its left, standing on `base` in the middle of its place.
 const smallPosture = newPosture();
-function drawSmall(pen, time, { x, base, height, width = Infinity, colour = null }) {
+// Figures that stand in a row share the scale at which the tallest posture of the recording fits.
+function drawSmall(pen, time, { x, base, height, width = Infinity, colour = null, row = false }) {
   postureAt(time, smallPosture);
   const root = rootOf(smallPosture);
   if (Number.isNaN(root[0])) return;
-  let pixels = height / (clip.height * 1.08);
+  let pixels = height / Math.max(clip.height * 1.04, row ? clip.reach : topOf(smallPosture));
   const yaw = clip.flat ? 0 : facingAt(time) + 0.45;
   const view = (scale) => cameraAt({
     yaw, lift: clip.flat ? 0 : 0.1, distance: 9, target: [root[0], clip.floor, root[2]], focal: scale * 9, centre: [x, base],
@@ -244,6 +245,13 @@ function drawSmall(pen, time, { x, base, height, width = Infinity, colour = null
   const shifted = breadth(camera, smallPosture);
   camera.centre = [x - ((shifted.left + shifted.right) / 2 - x), base];
   drawFigure(pen, smallPosture, camera, { colour, halo: 0.7, outline: 1.05, fade: false, nose: false });
+}
+
+// How high above the floor a posture reaches, with a little air.
+function topOf(posture) {
+  let top = clip.floor;
+  for (let r = 0; r < clip.count; r++) if (posture[3 * r + 1] > top) top = posture[3 * r + 1];
+  return top - clip.floor + 0.06 * clip.girth;
 }
 
 function breadth(camera, posture) {

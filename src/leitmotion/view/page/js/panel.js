@@ -19,6 +19,10 @@ function drawPanel() {
   if (key !== panel.key) {
     panel.key = key;
     panel.element.classList.toggle("paired", Boolean(pair));
+    panel.element.classList.toggle("held", state.held && !state.hover);
+    // On a phone the panel lies over the page, in the half that does not hold the cell.
+    const box = field.top.getBoundingClientRect();
+    if (pair) panel.element.classList.toggle("upper", box.top + yOf(pair.one) > innerHeight / 2);
     panel.element.replaceChildren(pair ? twoMoments(pair) : mostLikeNow());
   }
   sayNow(pair);
@@ -52,8 +56,9 @@ function twoMoments(pair) {
   const figures = [pair.one, pair.two].map((time, k) => {
     const canvas = document.createElement("canvas");
     const colour = k ? (where === null ? theme.tokens.ink2 : patternColour(where)) : null;
-    const height = clamp(stage.height * 0.36, 90, 150);
-    drawSmall(sized(canvas, 100, height), time, { x: 50, base: height - 4, height: height - 8, width: 98, colour });
+    const narrow = innerWidth <= 1100 && !state.printing;
+    const [height, width] = narrow ? [112, 80] : [clamp(stage.height * 0.36, 90, 150), 100];
+    drawSmall(sized(canvas, width, height), time, { x: width / 2, base: height - 4, height: height - 8, width: width - 2, colour });
     return make("figure", "", [canvas, make("span", "", [make("b", "", String(k + 1)), ` ${clockWord(time)}`])]);
   });
   const box = make("div", "two", [make("h2", "", "Two moments"), make("div", "both", figures)]);

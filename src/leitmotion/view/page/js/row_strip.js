@@ -20,7 +20,7 @@ const STRIP_APART = 78;
       element.dataset.times = Array.from(frames, (f) => (f / clip.rate).toFixed(2)).join(" ");
       for (const frame of frames) {
         const time = frame / clip.rate;
-        drawSmall(pen, time, { x: timeline.left + across(time), base: height - 4, height: height - 11, width: STRIP_APART - 8 });
+        drawSmall(pen, time, { x: timeline.left + across(time), base: height - 4, height: height - 11, width: STRIP_APART - 8, row: true });
       }
     },
   });

@@ -171,8 +171,15 @@ function drawShadow(pen, camera, body) {
   for (const [x, y] of [[-0.5, -0.5], [0.5, -0.5], [-0.5, 0.5], [0.5, 0.5]]) blur.drawImage(shadowLayer, x, y);
   pen.imageSmoothingEnabled = true;
   pen.imageSmoothingQuality = "high";
+  let soften = blurLayer;
+  if (state.printing) {
+    soften = ghostLayer;
+    const large = sized(ghostLayer, w / scale, h / scale);
+    large.imageSmoothingQuality = "high";
+    large.drawImage(blurLayer, 0, 0, w / scale, h / scale);
+  }
   pen.globalAlpha = theme.shadow * 1.6;
-  pen.drawImage(blurLayer, 0, 0, w / scale, h / scale);
+  pen.drawImage(soften, 0, 0, w / scale, h / scale);
   pen.globalAlpha = 1;
 }
 

@@ -94,6 +94,7 @@ function readHash() {
   state.held = state.second !== null;
   const chosen = patterns.findIndex((p) => p.id === parts.get("pattern"));
   state.pattern = chosen < 0 ? null : chosen;
+  state.loop = chosen < 0 ? 0 : (stretchAt(state.time, chosen)?.stretch ?? 0);
   state.camera = CAMERAS.includes(parts.get("camera")) ? parts.get("camera") : "room";
   state.turn = number("turn", 0, -1e3, 1e3);
   state.tilt = number("tilt", 0, -1.6, 1.6);

@@ -81,7 +81,10 @@ const patternToken = (p) => (p < 8 ? `var(--${"ABCDEFGH"[p]})` : state.pattern =
 function sized(canvas, width, height) {
   const density = state.printing ? 2 : Math.min(devicePixelRatio || 1, 3);
   const [w, h] = [Math.max(1, Math.round(width * density)), Math.max(1, Math.round(height * density))];
-  if (canvas.width !== w || canvas.height !== h) {
+  // Setting the size clears. On paper a canvas is drawn anew stroke by stroke, where clearRect would be a white sheet
+  // over what lies beneath.
+  const fresh = canvas.width !== w || canvas.height !== h || state.printing;
+  if (fresh) {
     canvas.width = w;
     canvas.height = h;
   }
@@ -89,6 +92,6 @@ function sized(canvas, width, height) {
   canvas.style.height = height + "px";
   const pen = canvas.getContext("2d");
   pen.setTransform(density, 0, 0, density, 0, 0);
-  pen.clearRect(0, 0, width, height);
+  if (!fresh) pen.clearRect(0, 0, width, height);
   return pen;
 }

@@ -81,7 +81,8 @@ function seekable(element) {
     element,
     layout(width, step) {
       track.replaceChildren();
-      const minor = TICKS.filter((t) => t < step && (t / clip.seconds) * width >= 20 && Math.abs(step / t - Math.round(step / t)) < 1e-6)[0] || step;
+      const fine = step / ({ 0.2: 4, 2: 4, 30: 6, 60: 6, 120: 4, 1800: 6, 3600: 6 }[step] || 5);
+      const minor = across(fine) >= 7 ? fine : step;
       for (let k = 0; k * minor < clip.seconds - 1e-6; k++) {
         const time = k * minor;
         const major = Math.abs(time / step - Math.round(time / step)) < 1e-6;

@@ -9,7 +9,7 @@ function clockWord(seconds, digits = 1) {
 }
 
 const UNIT = payload.distance.unit;
-const spaced = UNIT === "cm" || UNIT[0] === "%" ? " " + UNIT : UNIT;
+const spaced = UNIT === "°" ? UNIT : " " + UNIT;
 const shown = (distance) => distance * payload.distance.factor;
 const apartNumber = (distance) => shown(distance).toFixed(1);
 const apartWord = (distance) => `${apartNumber(distance)}${spaced}`;

@@ -1,0 +1,164 @@
+"""A recording of which everything is known, the page of it, and one browser for all tests of pages."""
+
+import os
+import shutil
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import numpy as np
+import pytest
+from leitmotion.body import Body, embody
+from leitmotion.datasets import compose_session
+from leitmotion.discovery import Pattern, PatternPair, Patterns
+from leitmotion.motion import Segmentation
+from leitmotion.similarity import SimilarityMatrix
+from leitmotion.view import report_page
+
+RATE = 30.0
+BROWSERS = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable", "chrome")
+SWITCHES = ["--no-sandbox", "--disable-gpu", "--disable-background-networking", "--disable-component-update"]
+
+
+class Known(NamedTuple):
+    """What a page is made of."""
+
+    body: Body
+    patterns: Patterns
+    matrix: SimilarityMatrix
+    labels: Segmentation | None = None
+
+    def page(self, **options: Any) -> str:
+        """The page."""
+        given = {"source": {"path": "practice.bvh"}, "labels": self.labels, "labels_from": "truth.csv"}
+        return report_page(self.body, self.patterns, self.matrix, **given | options)
+
+
+def eq2(body: Body) -> SimilarityMatrix:
+    """Paper P, eq. 2, on the roles that have a name in the body, written to be obviously right."""
+    from leitmotion.body import ANALYSIS_ROLES
+
+    points = body.positions[:, [body.roles.index(role) for role in ANALYSIS_ROLES if role in body.roles]]
+    root = body.positions[:, body.roles.index("pelvis")] * [1, 0, 1]
+    c, s = np.cos(-body.facing)[:, None], np.sin(-body.facing)[:, None]
+    x, y, z = np.moveaxis(points - root[:, None], 2, 0)
+    straight = np.stack([c * x + s * z, y, c * z - s * x], axis=2)
+    values = np.zeros((len(body), len(body)), dtype=np.float32)
+    for joint in range(straight.shape[1]):
+        values += np.linalg.norm(straight[:, None, joint] - straight[None, :, joint], axis=2).astype(
+            np.float32
+        )
+    return SimilarityMatrix(
+        values / straight.shape[1] / body.size, "mean_norm", body.rate, body.rate, scale=body.size
+    )
+
+
+def segments(spans: list[tuple[int, int]], rate: float = RATE) -> Segmentation:
+    """Stretches without a name."""
+    return Segmentation([a for a, _ in spans], [b for _, b in spans], rate=rate)
+
+
+def straight_path(a: tuple[int, int], b: tuple[int, int]) -> np.ndarray:
+    """A path at even pace from one stretch to another."""
+    steps = np.linspace(0, 1, max(a[1] - a[0], b[1] - b[0]))
+    return (
+        np.stack([a[0] + steps * (a[1] - a[0] - 1), b[0] + steps * (b[1] - b[0] - 1)], axis=1)
+        .round()
+        .astype(int)
+    )
+
+
+def patterns_of(session: Any) -> Patterns:
+    """The truth of a session as patterns: a kind of action each, a stripe for every two neighbouring cycles."""
+    found, pairs = [], []
+    kinds = dict.fromkeys(label for _, _, label, _ in session.cycles)
+    for name, letter in zip(kinds, "ABCDEFGHIJ"):
+        cycles = [(a, b) for a, b, label, _ in session.cycles if label == name]
+        stretches = [(a, b) for a, b, label, _ in session.stretches if label == name]
+        period = float(np.median([b - a for a, b in cycles]) / RATE)
+        sure = 0.4 if letter == "F" else 0.9
+        found.append(
+            Pattern(
+                letter,
+                "cyclic",
+                segments(cycles),
+                segments(stretches),
+                period,
+                0.03,
+                sure,
+                f"truth of {name}",
+            )
+        )
+        pairs += [PatternPair(letter, straight_path(a, b), 0.03) for a, b in zip(cycles, cycles[1:])]
+    return Patterns(tuple(found), tuple(pairs), RATE, {"min_duration_s": 0.5})
+
+
+@pytest.fixture(scope="session")
+def known() -> Known:
+    """The composed session with its truth as patterns: A walks in two stretches, F is uncertain."""
+    session = compose_session(rate=RATE)
+    body = embody(session.motion)
+    return Known(body.replace(name="practice"), patterns_of(session), eq2(body), session.stretches)
+
+
+@pytest.fixture(scope="session")
+def nothing(known: Known) -> Known:
+    """Four seconds in which nothing repeats."""
+    body = known.body.replace(
+        positions=known.body.positions[:120], facing=known.body.facing[:120], name="once"
+    )
+    return Known(body, Patterns((), (), RATE, {"min_duration_s": 0.5}), eq2(body))
+
+
+@pytest.fixture(scope="session")
+def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Where pages are written."""
+    return tmp_path_factory.mktemp("pages")
+
+
+@pytest.fixture(scope="session")
+def practice(known: Known, folder: Path) -> Path:
+    """The page of the known session."""
+    (folder / "practice.html").write_text(known.page(), encoding="utf-8")
+    return folder / "practice.html"
+
+
+@pytest.fixture(scope="session")
+def browser() -> Iterator[Any]:
+    """The system's Chromium, once for all tests."""
+    sync_api = pytest.importorskip("playwright.sync_api", reason="Playwright is not installed")
+    wanted = [os.environ.get("CHROMIUM", ""), *BROWSERS]
+    path = next((found for name in wanted if name and (found := shutil.which(name))), None)
+    if path is None:
+        pytest.skip("no Chromium on this machine: set CHROMIUM to it")
+    with sync_api.sync_playwright() as playwright:
+        chromium = playwright.chromium.launch(executable_path=path, args=SWITCHES)
+        yield chromium
+        chromium.close()
+
+
+@pytest.fixture
+def open_page(browser: Any) -> Iterator[Callable[..., Any]]:
+    """Open a page from disk; afterwards: no error in its console and no request but for the file itself."""
+    contexts, faults = [], []
+
+    def opened(path: Path, hash_: str = "", *, width: int = 1440, height: int = 900, **options: Any) -> Any:
+        context = browser.new_context(viewport={"width": width, "height": height}, **options)
+        contexts.append(context)
+        page = context.new_page()
+        page.on("console", lambda message: faults.append(message.text) if message.type == "error" else None)
+        page.on("pageerror", lambda error: faults.append(str(error)))
+        page.on(
+            "request",
+            lambda request: (
+                None if request.url.startswith(("file:", "blob:")) else faults.append(request.url)
+            ),
+        )
+        page.goto(path.as_uri() + (f"#{hash_}" if hash_ else ""))
+        page.evaluate("new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))")
+        return page
+
+    yield opened
+    for context in contexts:
+        context.close()
+    assert faults == []
