@@ -2,11 +2,11 @@
 
 from leitmotion.io.annotations import as_stretches, read_annotations, write_annotations
 from leitmotion.io.archive import load, save
+from leitmotion.io.files import write_whole
 from leitmotion.io.formats import EXTENSIONS, Format
 from leitmotion.io.reading import Finding, Reading
 from leitmotion.io.sinks import write
 from leitmotion.io.sources import open_recording, read, read_all
-from leitmotion.io.whole import write_whole
 
 __all__ = [
     "EXTENSIONS",

@@ -18,8 +18,7 @@ from typing import Any
 
 import numpy as np
 
-from leitmotion.io.sources import read_bytes
-from leitmotion.io.whole import write_whole
+from leitmotion.io.files import read_bytes, write_whole
 from leitmotion.motion import FormatError, ParameterError, Segmentation
 
 _ACA_RATE = 120.0

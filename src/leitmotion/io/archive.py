@@ -20,8 +20,8 @@ from typing import Any
 
 import numpy as np
 
+from leitmotion.io.files import read_bytes, write_whole
 from leitmotion.io.reading import Draft, Finding, PointTake, SkeletonTake, Source
-from leitmotion.io.whole import write_whole
 from leitmotion.motion import FormatError, Motion, ParameterError, Trajectories
 
 VERSION = 1
@@ -82,8 +82,6 @@ def load(path: str | PathLike[str]) -> Any:
     FormatError
         When the file is missing, damaged, no archive of ours, of a newer version or of an unknown type.
     """
-    from leitmotion.io.sources import read_bytes
-
     path = Path(path)
     return from_bytes(read_bytes(path), path.name)
 

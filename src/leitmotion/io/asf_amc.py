@@ -17,6 +17,7 @@ from pathlib import Path
 import numpy as np
 
 from leitmotion.io.asf import Acclaim, find_asf, fixed_axes, read_asf
+from leitmotion.io.files import read_bytes
 from leitmotion.io.numerals import as_bytes, settle
 from leitmotion.io.reading import Draft, Finding, SkeletonTake, Source
 from leitmotion.motion import rotations
@@ -80,7 +81,7 @@ def read(source: Source) -> Draft:
         When there is no skeleton, or a frame does not fit it; it names the line.
     """
     path, how, reason = _skeleton_of(source)
-    acclaim = read_asf(Source(path, path.read_bytes()))
+    acclaim = read_asf(Source(path, read_bytes(path)))
     warnings: list[str] = []
     channels, dofs = _channels(source, acclaim, warnings)
     unit = None

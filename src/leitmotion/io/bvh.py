@@ -106,6 +106,15 @@ def frame_rate(text: str, source: Source) -> Finding:
     near = min((max(1.0, round(exact)), *_NTSC), key=lambda rate: abs(1.0 / rate - seconds))
     if abs(1.0 / near - seconds) < unit and abs(near / exact - 1.0) < _SNAP:
         return Finding(float(near), "read", f"frame time {text} s, taken as {near:.6g} Hz")
+    for digits in (
+        6,
+        9,
+        12,
+        15,
+    ):  # the shortest rate of exactly this frame time, which 1 / seconds may miss by a bit
+        short = float(f"{exact:.{digits}g}")
+        if 1.0 / short == seconds:
+            return Finding(short, "read", f"frame time {text} s")
     return Finding(exact, "read", f"frame time {text} s")
 
 
@@ -163,7 +172,7 @@ def write(motion: Motion, *, unit: str | float = "cm") -> bytes:
 
     Joints stand depth first. The root has position channels, and so has a joint whose local position leaves its
     offset; every joint turns in the order Z, Y, X. A leaf without an end site gets one of no length, which the
-    format asks for. The frame time is written so that the rate comes back exactly.
+    format asks for. The frame time is written with all its digits.
 
     Parameters
     ----------
@@ -230,19 +239,10 @@ def write(motion: Motion, *, unit: str | float = "cm") -> bytes:
     ]
     table = np.concatenate(columns, axis=1)
     row = " ".join(["%.10g"] * table.shape[1])
-    lines += ["MOTION", f"Frames: {len(motion)}", f"Frame Time: {_frame_time(motion.rate)!r}"]
+    lines += ["MOTION", f"Frames: {len(motion)}", f"Frame Time: {1.0 / motion.rate:.17g}"]
     lines += [row % tuple(numbers) for numbers in table.tolist()]
     return ("\n".join(lines) + "\n").encode("utf-8")
 
 
 def _spell(vector: np.ndarray) -> str:
     return " ".join(f"{number:.10g}" for number in vector)
-
-
-def _frame_time(rate: float) -> float:
-    """Frame time whose reciprocal is the rate, to the last bit where there is one."""
-    seconds = 1.0 / rate
-    for candidate in (seconds, float(np.nextafter(seconds, 0)), float(np.nextafter(seconds, 1))):
-        if 1.0 / candidate == rate:
-            return candidate
-    return seconds

@@ -63,7 +63,9 @@ def read_hierarchy(source: Source, warnings: list[str]) -> tuple[list[Joint], in
             return _distinct(tree.joints, warnings), stop + 1
         tree.take(line, position)
         position = stop + 1
-    raise source.error("expected a section MOTION after the hierarchy, found the end: the file was cut short.")
+    raise source.error(
+        "expected a section MOTION after the hierarchy, found the end: the file was cut short."
+    )
 
 
 def glimpse(content: bytes) -> str:
@@ -119,7 +121,9 @@ class _Tree:
 
     def _joint(self, word: str, name: str, position: int) -> None:
         if (word == "ROOT") == bool(self.open) or self.open[-1:] == [_END] or self.awaited is not None:
-            raise self.source.fault(position, "a ROOT outside joints and a JOINT within one", f"{word} {name}")
+            raise self.source.fault(
+                position, "a ROOT outside joints and a JOINT within one", f"{word} {name}"
+            )
         parent = self.open[-1] if self.open else -1
         self.joints.append(Joint(name or f"joint{len(self.joints)}", parent))
         self.awaited = len(self.joints) - 1

@@ -6,8 +6,8 @@ from os import PathLike
 from pathlib import Path
 from typing import Any
 
+from leitmotion.io.files import write_whole
 from leitmotion.io.formats import EXTENSIONS
-from leitmotion.io.whole import write_whole
 from leitmotion.motion import Motion, ParameterError, Trajectories
 
 

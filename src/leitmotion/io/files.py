@@ -1,14 +1,62 @@
-"""Files that are written whole or not at all."""
+"""Bytes in and out: files that are read with a word why not, and written whole or not at all."""
 
 from __future__ import annotations
 
 import contextlib
+import difflib
 import os
 import tempfile
 from os import PathLike
 from pathlib import Path
 
 from leitmotion.motion import FormatError
+
+
+def read_bytes(path: Path) -> bytes:
+    """Read a whole file, or say in one sentence why not.
+
+    Parameters
+    ----------
+    path : Path
+        The file.
+
+    Returns
+    -------
+    bytes
+        Its content, never empty.
+
+    Raises
+    ------
+    FormatError
+        When it is missing, a folder, empty or not to be read.
+    """
+    if path.is_dir():
+        raise FormatError(f"Expected a file, {path} is a folder.", remedy="Name a recording in it.")
+    try:
+        content = path.read_bytes()
+    except FileNotFoundError:
+        raise FormatError(f"There is no file {path}.", remedy=_suggest(path)) from None
+    except PermissionError:
+        raise FormatError(f"The file {path} may not be read.", remedy="Check its permissions.") from None
+    except OSError as error:
+        raise FormatError(f"The file {path} cannot be read: {error.strerror or error}.") from None
+    if not content.strip():
+        raise FormatError(f"{path.name} is empty.", remedy="Was it copied or downloaded completely?")
+    return content
+
+
+def _suggest(path: Path) -> str:
+    try:
+        names = os.listdir(path.parent)
+    except OSError:
+        return f"There is no folder {path.parent} either."
+    lower = {name.lower(): name for name in names}
+    near = [
+        lower[name] for name in difflib.get_close_matches(path.name.lower(), list(lower), n=3, cutoff=0.6)
+    ]
+    if not near:
+        near = sorted(name for name in names if Path(name).stem.lower() == path.stem.lower())[:3]
+    return f"Did you mean {' or '.join(near)}?" if near else ""
 
 
 def write_whole(path: str | PathLike[str], content: str | bytes) -> Path:

@@ -1,0 +1,282 @@
+"""BVH: the hard cases of the format, the writer, the rate, what is judged."""
+
+import numpy as np
+import pytest
+
+from leitmotion import io
+from leitmotion.io.bvh import frame_rate
+from leitmotion.io.reading import Source
+from leitmotion.motion import FormatError, Motion, ParameterError, Skeleton, forward_kinematics, rotations
+
+PLAIN = """HIERARCHY
+ROOT Hips
+{
+  OFFSET 0 0 0
+  CHANNELS 6 Xposition Yposition Zposition Zrotation Xrotation Yrotation
+  JOINT Head
+  {
+    OFFSET 0 70 0
+    CHANNELS 3 Zrotation Xrotation Yrotation
+    End Site
+    {
+      OFFSET 0 20 0
+    }
+  }
+  JOINT LeftFoot
+  {
+    OFFSET 10 -90 0
+    CHANNELS 3 Yrotation Zrotation Xrotation
+  }
+}
+MOTION
+Frames: 2
+Frame Time: 0.0083333
+1 95 3 10 20 30 40 50 60 70 80 90
+2 96 4 11 21 31 41 51 61 71 81 91
+"""
+
+
+def put(tmp_path, text):
+    path = tmp_path / "clip.bvh"
+    path.write_bytes(text if isinstance(text, bytes) else text.encode())
+    return path
+
+
+def read(tmp_path, text, **options):
+    return io.open_recording(put(tmp_path, text), **options)
+
+
+def test_what_a_plain_file_says(tmp_path):
+    reading = read(tmp_path, PLAIN)
+    (motion,) = reading.recordings
+    assert motion.skeleton.names == ("Hips", "Head", "LeftFoot")
+    assert motion.rate == 120.0
+    assert reading.warnings == ()
+    np.testing.assert_allclose(motion.local_positions[0], [[0.01, 0.95, 0.03], [0, 0.7, 0], [0.1, -0.9, 0]])
+    expected = [
+        rotations.from_euler("zxy", np.deg2rad([10, 20, 30])),
+        rotations.from_euler("zxy", np.deg2rad([40, 50, 60])),
+        rotations.from_euler("yzx", np.deg2rad([70, 80, 90])),
+    ]
+    np.testing.assert_allclose(motion.local_rotations[0], expected, atol=1e-12)
+    np.testing.assert_allclose(motion.skeleton.end_offsets, [[0, 0.2, 0]])
+
+
+@pytest.mark.parametrize(
+    "change",
+    [
+        lambda s: s.replace("\n", "\r\n"),
+        lambda s: (
+            s.replace("  ", "\t")
+            .replace(" ", "\t")
+            .replace("End\tSite", "End Site")
+            .replace("Time:", "Time: ")
+        ),
+        lambda s: "\ufeff" + s,
+        lambda s: s.replace("\n  {", " {").replace("ROOT Hips\n{", "ROOT Hips {"),
+        lambda s: s.replace("Frame Time: 0.0083333", "Frame Time:\t8.3333e-03"),
+        lambda s: s.replace("1 95 3", "1.0e0 +95. 0.3E+1"),
+        lambda s: s + "\n\n  \n",
+        lambda s: s.rstrip("\n"),
+        lambda s: s.lower().replace("hips", "Hips").replace("head", "Head").replace("leftfoot", "LeftFoot"),
+    ],
+    ids=[
+        "crlf",
+        "tabs",
+        "bom",
+        "brace",
+        "exponent-time",
+        "exponents",
+        "blank-end",
+        "no-newline",
+        "lower-case",
+    ],
+)
+def test_spellings_of_one_file_are_one(tmp_path, change):
+    assert read(tmp_path, change(PLAIN)).recordings == read(tmp_path, PLAIN).recordings
+
+
+@pytest.mark.parametrize("name", ["Left Foot", "mixamorig:LeftFoot", "end", "End Effector", "JOINT", "Fuß"])
+def test_names_with_blanks_colons_and_words_of_the_format(tmp_path, name):
+    motion = read(tmp_path, PLAIN.replace("LeftFoot", name)).recordings[0]
+    assert motion.skeleton.names[2] == name
+
+
+def test_positions_on_any_joint_in_any_place(tmp_path):
+    text = (
+        PLAIN.replace(
+            "CHANNELS 3 Yrotation Zrotation Xrotation",
+            "CHANNELS 6 Yrotation Zposition Zrotation Xposition Xrotation Yposition",
+        )
+        .replace("70 80 90", "70 3 80 1 90 2")
+        .replace("71 81 91", "71 6 81 4 91 5")
+    )
+    motion = read(tmp_path, text, unit="cm").recordings[0]
+    np.testing.assert_allclose(motion.local_positions[:, 2], [[0.01, 0.02, 0.03], [0.04, 0.05, 0.06]])
+    np.testing.assert_allclose(
+        motion.local_rotations[0, 2], rotations.from_euler("yzx", np.deg2rad([70, 80, 90]))
+    )
+
+
+def test_a_position_channel_takes_the_place_of_the_offset(tmp_path):
+    text = PLAIN.replace("OFFSET 0 0 0", "OFFSET 5 94 7")
+    motion = read(tmp_path, text, unit="cm").recordings[0]
+    np.testing.assert_allclose(motion.local_positions[0, 0], [0.01, 0.95, 0.03])
+    np.testing.assert_allclose(motion.skeleton.offsets[0], [0.05, 0.94, 0.07])
+
+
+def test_several_roots_are_several_people(tmp_path):
+    tree, rest = PLAIN.split("MOTION")
+    header, rows = rest.split("0.0083333\n")
+    second = tree.replace("HIERARCHY\n", "").replace("Hips", "Hips2")
+    doubled = "\n".join(f"{row} {row}" for row in rows.strip().split("\n"))
+    reading = read(tmp_path, tree + second + "MOTION" + header + "0.0083333\n" + doubled + "\n")
+    a, b = reading.recordings
+    assert reading.people == ("Hips", "Hips2")
+    assert (a.name, b.name) == ("clip:Hips", "clip:Hips2")
+    np.testing.assert_array_equal(a.local_rotations, b.local_rotations)
+    assert read(tmp_path, PLAIN).recordings[0] == a.replace(name="clip")
+
+
+def test_joints_of_one_name_are_numbered(tmp_path):
+    reading = read(tmp_path, PLAIN.replace("LeftFoot", "Head"))
+    assert reading.recordings[0].skeleton.names == ("Hips", "Head", "Head#2")
+    assert any("Head" in warning for warning in reading.warnings)
+
+
+@pytest.mark.parametrize("promised", ["1", "7", "1000000000"])
+def test_a_wrong_count_of_frames_is_told_with_both_numbers(tmp_path, promised):
+    reading = read(tmp_path, PLAIN.replace("Frames: 2", f"Frames: {promised}"))
+    assert len(reading.recordings[0]) == 2
+    assert any(f"promises {promised} frames, the file has 2" in warning for warning in reading.warnings)
+
+
+def test_a_short_last_row_is_left_out_and_told(tmp_path):
+    reading = read(tmp_path, PLAIN[: PLAIN.rindex("61")])
+    assert len(reading.recordings[0]) == 1
+    assert any("ends within its row 2" in warning for warning in reading.warnings)
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "match"),
+    [
+        ("HIERARCHY", "", "line 1: expected the word HIERARCHY"),
+        ("JOINT Head", "JINT Head", "line 6: expected ROOT, JOINT"),
+        ("OFFSET 0 70 0", "OFFSET 0 70", "line 8: expected 3 numbers"),
+        ("OFFSET 0 70 0", "OFFSET 0 nan 0", "line 8: expected 3 numbers"),
+        ("CHANNELS 6", "CHANNELS 5", "line 5: expected 5 channels, found 6"),
+        ("Xposition", "Wposition", "line 5: expected channels such as"),
+        ("}\nMOTION", "MOTION", "closing braces before MOTION"),
+        ("}\nMOTION", "}\n}\nMOTION", "no more closing braces"),
+        ("MOTION", "", "line 22: expected ROOT, JOINT"),
+        (PLAIN[PLAIN.index("MOTION") :], "", "section MOTION.*cut short"),
+        ("Frame Time: 0.0083333", "", "'Frames:' and 'Frame Time:'"),
+        ("0.0083333", "0", "frame time above 0.*--rate"),
+        ("11 21", "11 x", "line 25: expected a number, found 'x'"),
+        ("11 21", "11 nan", "line 25: expected a number, found 'nan'"),
+        ("1 95 3", "1 95", "line 24: expected 12 numbers in the row, found 11"),
+    ],
+)
+def test_faults_name_their_line(tmp_path, old, new, match):
+    with pytest.raises(FormatError, match=match):
+        read(tmp_path, PLAIN.replace(old, new, 1))
+
+
+def test_a_rate_given_mends_a_missing_frame_time(tmp_path):
+    assert read(tmp_path, PLAIN.replace("0.0083333", "0"), rate=60).recordings[0].rate == 60
+
+
+@pytest.mark.parametrize(
+    ("text", "rate"),
+    [
+        ("0.0083333", 120), ("0.008333", 120), (".0083333", 120), (".03333", 30), ("0.0333333", 30), ("0.025000", 40),
+        ("0.010000", 100), ("0.0166667", 60), ("0.016666", 60), ("0.041667", 24), ("3.33333e-02", 30),
+        ("0.008342", 120000 / 1001), ("0.033367", 30000 / 1001), ("0.0417083", 24000 / 1001),
+        ("0.0215", 1 / 0.0215), ("0.033333344444", 1 / 0.033333344444), ("2", 0.5),
+    ],
+)  # fmt: skip
+def test_the_rate_that_a_rounded_frame_time_stands_for(tmp_path, text, rate):
+    finding = frame_rate(text, Source(tmp_path, b""))
+    assert finding.value == rate
+    assert text in finding.reason
+
+
+def test_a_vertical_of_z_is_found_and_turned(tmp_path):
+    text = PLAIN.replace("0 70 0", "0 0 70").replace("10 -90 0", "10 0 -90").replace("0 20 0", "0 0 20")
+    text = text[: text.index("1 95 3")] + "1 3 95 0 0 0 0 0 0 0 0 0\n2 4 96 0 0 0 0 0 0 0 0 0\n"
+    reading = read(tmp_path, text)
+    assert (reading.findings["up"].value, reading.findings["up"].how) == ("z", "guessed")
+    (motion,) = reading.recordings
+    np.testing.assert_allclose(motion.skeleton.offsets, [[0, 0, 0], [0, 0.7, 0], [0.1, -0.9, 0]], atol=1e-12)
+    np.testing.assert_allclose(forward_kinematics(motion).positions[0, 1], [0.01, 1.65, -0.03], atol=1e-12)
+
+
+def test_turning_the_axes_turns_every_place(tmp_path):
+    as_is = forward_kinematics(read(tmp_path, PLAIN, up="y", unit="cm").recordings[0]).positions
+    turned = forward_kinematics(read(tmp_path, PLAIN, up="z", unit="cm").recordings[0]).positions
+    np.testing.assert_allclose(
+        turned, np.stack([as_is[..., 0], as_is[..., 2], -as_is[..., 1]], -1), atol=1e-12
+    )
+
+
+# --- the writer
+
+
+def random_motion(rng, joints=9, frames=5, moving=()):
+    parents = np.array([-1, *(rng.integers(0, k) for k in range(1, joints))])
+    offsets = rng.normal(0, 0.3, (joints, 3))
+    skeleton = Skeleton(
+        tuple(f"joint {k}" for k in range(joints)), parents, offsets, [joints - 1], [[0, 0.1, 0]]
+    )
+    positions = np.tile(offsets, (frames, 1, 1))
+    positions[:, [0, *moving]] += rng.normal(0, 0.5, (frames, 1 + len(moving), 3))
+    quaternions = rotations.normalize(rng.normal(size=(frames, joints, 4)))
+    return Motion(skeleton, positions, rotations.continuous(quaternions), 119.88, "clip")
+
+
+@pytest.mark.parametrize("unit", ["cm", "m", "inch", 0.5])
+@pytest.mark.parametrize("moving", [(), (3, 7)])
+def test_what_is_written_reads_back(tmp_path, rng, unit, moving):
+    motion = random_motion(rng, moving=moving)
+    path = io.write(motion, tmp_path / "clip.bvh", unit=unit)
+    back = io.read(path, unit=unit, up="y")
+    order = [back.skeleton.index(name) for name in motion.skeleton.names]
+    assert back.rate == motion.rate
+    np.testing.assert_allclose(back.local_positions[:, order], motion.local_positions, atol=1e-6)
+    assert rotations.geodesic_angle(back.local_rotations[:, order], motion.local_rotations).max() < 1e-6
+    theirs, ours = forward_kinematics(back).positions[:, order], forward_kinematics(motion).positions
+    np.testing.assert_allclose(theirs, ours, atol=1e-6)
+
+
+@pytest.mark.parametrize("rate", [120.0, 30000 / 1001, 119.88, 59.94, 7.3, 1000 / 7, 480.0, 65.0533447265625])
+def test_the_rate_is_kept_exactly(tmp_path, rng, rate):
+    motion = random_motion(rng).replace(rate=rate)
+    assert io.read(io.write(motion, tmp_path / "clip.bvh")).rate == rate
+
+
+def test_only_joints_that_move_get_positions(tmp_path, rng):
+    path = io.write(random_motion(rng, moving=(4,)), tmp_path / "clip.bvh")
+    assert path.read_text().count("CHANNELS 6") == 2
+
+
+def test_points_are_no_bvh(tmp_path):
+    markers = io.read(_marker_table(tmp_path))
+    with pytest.raises(ParameterError, match="skeleton"):
+        io.write(markers, tmp_path / "clip.bvh")
+    with pytest.raises(ParameterError, match=r"written as .*\.bvh"):
+        io.write(markers, tmp_path / "clip.fbx")
+
+
+def _marker_table(tmp_path):
+    path = tmp_path / "points.csv"
+    path.write_text("time,A_x,A_y,A_z\n0,1,2,3\n0.1,1,2,3\n")
+    return path
+
+
+@pytest.mark.data
+def test_a_real_recording_survives_the_way_out_and_in(data, tmp_path):
+    motion = io.read(data / "bandai_namco" / "dataset-1_walk_normal_001.bvh")
+    back = io.read(io.write(motion, tmp_path / "walk.bvh"))
+    order = [back.skeleton.index(name) for name in motion.skeleton.names]
+    ours = forward_kinematics(motion).positions
+    np.testing.assert_allclose(forward_kinematics(back).positions[:, order], ours, atol=1e-6)
