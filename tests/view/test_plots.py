@@ -196,9 +196,9 @@ def test_figures_save_in_every_format(theme, format):
 
 def test_no_window_and_no_global_setting_is_touched():
     code = (
-        "import sys, matplotlib; before = dict(matplotlib.rcParams); import numpy as np;"
+        "import sys, matplotlib; before = dict.copy(matplotlib.rcParams); import numpy as np;"
         "from leitmotion.similarity import SimilarityMatrix; from leitmotion.view.plots import plot_matrix;"
         "plot_matrix(SimilarityMatrix(np.eye(9), 'mean_norm', 30, 30));"
-        "assert 'matplotlib.pyplot' not in sys.modules; assert dict(matplotlib.rcParams) == before"
+        "assert 'matplotlib.pyplot' not in sys.modules; assert dict.copy(matplotlib.rcParams) == before"
     )
     subprocess.run([sys.executable, "-c", code], check=True)

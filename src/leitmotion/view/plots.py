@@ -1,0 +1,439 @@
+"""Static figures for papers: the distance map with its stripes, the lanes of patterns, stick figures.
+
+Conventions
+-----------
+Each function returns a new matplotlib ``Figure`` that belongs to no window and no global state; save it with
+``figure.savefig``. The look is the page's: colour means which pattern, everything else is ink; the right side of
+a body is filled, the left is hollow.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
+
+from leitmotion.discovery import Pattern, Patterns
+from leitmotion.motion.errors import ParameterError
+from leitmotion.motion.segmentation import Segmentation
+from leitmotion.similarity import SimilarityMatrix
+from leitmotion.view.stick_figures import Shape, figure_shapes
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+    from matplotlib.text import Text
+
+    from leitmotion.body import Body
+
+
+class Theme(NamedTuple):
+    """The colours of a figure."""
+
+    surface: str
+    ink: str
+    ink2: str
+    line: str
+    left: str
+    chip: str
+    ramp: tuple[str, ...]
+    """Distance map, far to near."""
+    patterns: tuple[str, ...]
+
+
+THEMES = {
+    "light": Theme(
+        "#FFFFFF", "#1B2027", "#555D68", "#E2E0DA", "#2F6FB3", "#FFFFFF",
+        ("#F9FAFC", "#B9C0CC", "#7E889A", "#4B5465", "#20252F"),
+        ("#4720AB", "#B5590F", "#23798A", "#8A1A4F", "#1F4A05", "#8F54DC", "#73501F", "#1B5978"),
+    ),
+    "dark": Theme(
+        "#15191F", "#ECEAE4", "#A9B0BA", "#272D35", "#74B4F0", "#0E1115",
+        ("#101418", "#38434D", "#697886", "#A4B1BD", "#E6ECF2"),
+        ("#5A90F5", "#DFA635", "#51EFCC", "#E0608F", "#ECEE55", "#BFB1FF", "#A97E2C", "#6BBBB6"),
+    ),
+}  # fmt: skip
+
+CELLS, SMOOTH_BELOW = 1500, 600  # more cells are not seen in print; fewer are smoothed
+CAP_SHARE, LEAST_CAP_CM = 60, 8  # the map's far end: this percentile of the distances, at least so many cm
+TICKS_S = (0.1, 0.2, 0.5, 1, 2, 5, 10, 30, 60, 120, 300, 600)
+UNCERTAIN = 0.5
+SMALL, BODY, TITLE = 8.0, 9.0, 11.0
+LANE, HEAD = 0.36, 1.6  # inches: height of a lane, width of its head
+HALO, OUTLINE, CAPTION = 0.7, 0.9, 0.24  # points, points, inches
+
+
+def plot_matrix(
+    matrix: SimilarityMatrix,
+    patterns: Patterns | None = None,
+    *,
+    title: str = "Every moment against every other",
+    theme: str = "light",
+    width: float = 5.0,
+) -> Figure:
+    """Draw the distance map: dark where two moments are alike; above the diagonal the stripes that were traced.
+
+    Parameters
+    ----------
+    matrix : SimilarityMatrix
+        Rows run down, columns to the right.
+    patterns : Patterns, optional
+        Whose pairs are drawn as stripes and whose stretches stand as bars along both edges.
+    title : str
+        Above the map; empty for none.
+    theme : {"light", "dark"}
+        Light for paper.
+    width : float
+        Of the figure, inches.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+        Time axes in seconds, the legend in the unit of the recording.
+
+    Raises
+    ------
+    ParameterError
+        When the theme is unknown.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> t = np.arange(300) / 60
+    >>> values = abs(np.sin(2 * t)[:, None] - np.sin(2 * t))
+    >>> figure = plot_matrix(SimilarityMatrix(values, "mean_norm", 60, 60, unit="m"))
+    >>> figure.axes[0].get_title(loc="left")
+    'Every moment against every other'
+    """
+    from matplotlib.colors import LinearSegmentedColormap
+
+    colours = _theme(theme)
+    figure = _figure(width, width * 1.08, colours)
+    axes = figure.add_axes((0.11, 0.12, 0.85, 0.85 / 1.08))
+    cap, far_end = _cap(matrix)
+    rows, columns = matrix.values.shape
+    seconds = columns / matrix.column_rate, rows / matrix.row_rate
+    axes.imshow(
+        matrix.values[:: max(1, rows // CELLS), :: max(1, columns // CELLS)] * matrix.scale,
+        cmap=LinearSegmentedColormap.from_list("distance", colours.ramp[::-1]),
+        vmin=0, vmax=cap, extent=(0, seconds[0], seconds[1], 0), aspect="auto",
+        interpolation="antialiased" if columns > SMOOTH_BELOW else "bilinear",
+    )  # fmt: skip
+    if patterns is not None:
+        for pair in patterns.pairs:
+            colour = _colour_of(pair.pattern, colours)
+            path = pair.path / patterns.rate
+            axes.plot(path[:, 1], path[:, 0], color=colour, lw=1.6, **_halo(colours, 3.2), zorder=3)
+        _edge_bars(axes, patterns, colours)
+    axes.set(xlim=(0, seconds[0]), ylim=(seconds[1], 0), xticks=_ticks(seconds[0]), yticks=_ticks(seconds[1]))
+    axes.xaxis.set_ticks_position("top")
+    _style(axes, colours)
+    _unit_of_time(axes)
+    axes.set_title(title, loc="left", fontsize=TITLE, color=colours.ink, pad=22)
+    _legend(figure, colours, far_end)
+    return figure
+
+
+def plot_patterns(
+    patterns: Patterns,
+    *,
+    seconds: float | None = None,
+    labels: Segmentation | None = None,
+    theme: str = "light",
+    width: float = 7.0,
+) -> Figure:
+    """Draw the time line: a lane for each pattern with its stretches and cycles.
+
+    Parameters
+    ----------
+    patterns : Patterns
+        What was found. Patterns of a confidence below one half are hatched.
+    seconds : float, optional
+        How long the recording is; by default to the end of the last stretch.
+    labels : Segmentation, optional
+        What a person called the stretches: one more lane, in ink.
+    theme : {"light", "dark"}
+        Light for paper.
+    width : float
+        Of the figure, inches.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+        One axis of seconds for all lanes.
+
+    Raises
+    ------
+    ParameterError
+        When the theme is unknown.
+
+    Examples
+    --------
+    >>> figure = plot_patterns(Patterns((), (), rate=60, parameters={}), seconds=10)
+    >>> float(figure.axes[0].get_xlim()[1])
+    10.0
+    """
+    colours = _theme(theme)
+    lanes = max(1, len(patterns)) + (labels is not None)
+    height = lanes * LANE + 0.45
+    figure = _figure(width, height, colours)
+    axes = figure.add_axes((HEAD / width, 0.08 / height, 1 - (HEAD + 0.15) / width, lanes * LANE / height))
+    if seconds is None:
+        ends = [int(pattern.stretches.stops[-1]) / patterns.rate for pattern in patterns.patterns]
+        seconds = max(ends, default=1.0)
+    axes.set(xlim=(0, seconds), ylim=(lanes, 0), yticks=[], xticks=_ticks(seconds))
+    axes.xaxis.set_ticks_position("top")
+    _style(axes, colours)
+    _unit_of_time(axes)
+    per_second = (width - HEAD - 0.15) / seconds
+    for lane, pattern in enumerate(patterns.patterns):
+        _lane(axes, lane, pattern, colours, per_second)
+    if not len(patterns):
+        axes.text(seconds / 2, 0.5, "Nothing repeats here", ha="center", va="center", color=colours.ink2,
+                  fontsize=BODY)  # fmt: skip
+    if labels is not None:
+        _label_lane(axes, lanes - 1, labels, colours)
+    for lane in range(1, lanes):
+        axes.axhline(lane, color=colours.line, lw=0.6, zorder=0)
+    return figure
+
+
+def plot_figures(
+    body: Body,
+    frames: Sequence[int],
+    *,
+    captions: Sequence[str] | None = None,
+    theme: str = "light",
+    height: float = 1.8,
+) -> Figure:
+    """Draw the body at chosen moments, side by side, turned to one direction.
+
+    Parameters
+    ----------
+    body : Body
+        Points with roles. A limb of which a joint is missing is absent; a body without roles is dots.
+    frames : sequence of int
+        Which moments.
+    captions : sequence of str, optional
+        Under each; by default its time.
+    theme : {"light", "dark"}
+        Light for paper.
+    height : float
+        Of the figure, inches.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+        The figures in one scale on one ground line.
+
+    Raises
+    ------
+    ParameterError
+        When a frame is outside the recording, none is given, or captions do not match.
+    """
+    colours = _theme(theme)
+    chosen = [int(frame) for frame in frames]
+    if not chosen or min(chosen) < 0 or max(chosen) >= len(body):
+        raise ParameterError(f"frames must be some of 0 to {len(body) - 1}, got {list(frames)}.")
+    words = [_clock(frame / body.rate) for frame in chosen] if captions is None else list(captions)
+    if len(words) != len(chosen):
+        raise ParameterError(f"captions must be {len(chosen)}, one a frame, got {len(words)}.")
+
+    drawn = [figure_shapes(body, frame) for frame in chosen]
+    reach = [np.abs(shape.outline[:, 0]).max() + shape.stroke for shapes in drawn for shape in shapes]
+    heights = np.concatenate([[0.0, 0.1], *(shape.outline[:, 1] for shapes in drawn for shape in shapes)])
+    half, low, high = 1.12 * max(reach, default=0.5), heights.min(), heights.max()
+    low, high = low - 0.03 * (high - low), high + 0.03 * (high - low)
+    scale = (height - CAPTION) / (high - low)  # inches a metre
+    width = 2 * half * len(chosen) * scale
+    figure = _figure(width, height, colours)
+    axes = figure.add_axes((0, CAPTION / height, 1, 1 - CAPTION / height))
+    axes.set(xlim=(-half, (2 * len(chosen) - 1) * half), ylim=(low, high))
+    axes.axis("off")
+    for k, (shapes, word) in enumerate(zip(drawn, words, strict=True)):
+        _paint(axes, shapes, 2 * half * k, 72 * scale, colours)
+        middle = (2 * k + 1) / (2 * len(chosen))
+        figure.text(middle, 0.06 / height, word, ha="center", fontsize=SMALL, color=colours.ink2)
+    return figure
+
+
+def _theme(name: str) -> Theme:
+    if name not in THEMES:
+        raise ParameterError(f"theme must be one of {', '.join(THEMES)}, got {name!r}.")
+    return THEMES[name]
+
+
+def _figure(width: float, height: float, colours: Theme) -> Figure:
+    from matplotlib.figure import Figure
+
+    return Figure(figsize=(width, height), dpi=200, facecolor=colours.surface)
+
+
+def _style(axes: Axes, colours: Theme) -> None:
+    axes.set_facecolor(colours.surface)
+    axes.tick_params(
+        length=2.5, width=0.6, labelsize=SMALL, color=colours.ink2, labelcolor=colours.ink2, pad=6
+    )
+    for spine in axes.spines.values():
+        spine.set_visible(False)
+
+
+def _unit_of_time(axes: Axes) -> None:
+    """Write the unit once, at the first tick."""
+    ticks = axes.get_xticks()
+    axes.set_xticks(ticks, [f"{tick:g}" + (" s" if k == 0 else "") for k, tick in enumerate(ticks)])
+
+
+def _ticks(seconds: float) -> np.ndarray:
+    """Place three to eight ticks a person reads."""
+    step = next((s for s in TICKS_S if seconds / s <= 8), TICKS_S[-1])
+    return np.arange(0, seconds + 1e-9, step)
+
+
+def _cap(matrix: SimilarityMatrix) -> tuple[float, str]:
+    """Choose where the map is at its lightest, and say it: a distance in the recording's unit, and in words."""
+    rows, columns = matrix.values.shape
+    sample = matrix.values[:: max(1, rows // 500), :: max(1, columns // 500)]
+    apart = sample[np.isfinite(sample) & (sample > 0)]
+    middle = float(np.percentile(apart, CAP_SHARE)) * matrix.scale if apart.size else 1.0
+    if matrix.unit == "m":
+        centimetres = max(LEAST_CAP_CM, math.ceil(middle * 100))
+        return centimetres / 100, f"{centimetres} cm apart or more"
+    if matrix.unit == "rad":
+        degrees = math.ceil(math.degrees(middle))
+        return math.radians(degrees), f"{degrees}° apart or more"
+    return middle, f"{middle:.2g} {matrix.unit} apart or more"
+
+
+def _legend(figure: Figure, colours: Theme, far_end: str) -> None:
+    from matplotlib.colors import LinearSegmentedColormap
+
+    near = figure.text(0.11, 0.055, "same posture", va="center", fontsize=SMALL, color=colours.ink2)
+    figure.canvas.draw()
+    end = near.get_window_extent().x1 / figure.bbox.width + 0.015
+    bar = figure.add_axes((end, 0.043, 0.2, 0.024))
+    ramp = LinearSegmentedColormap.from_list("distance", colours.ramp[::-1])
+    bar.imshow(np.linspace(0, 1, 256)[None], cmap=ramp, aspect="auto")
+    bar.set(xticks=[], yticks=[])
+    for spine in bar.spines.values():
+        spine.set(color=colours.line, linewidth=0.5)
+    figure.text(end + 0.215, 0.055, far_end, va="center", fontsize=SMALL, color=colours.ink2)
+
+
+def _colour_of(name: str, colours: Theme) -> str:
+    """Choose a pattern's colour by its letter; past the eighth the letter alone tells it."""
+    place = ord(name[0]) - ord("A") if len(name) == 1 else len(colours.patterns)
+    return colours.patterns[place] if 0 <= place < len(colours.patterns) else colours.ink2
+
+
+def _mixed(colour: str, share: float, surface: str) -> tuple[float, ...]:
+    from matplotlib.colors import to_rgb
+
+    return tuple(share * a + (1 - share) * b for a, b in zip(to_rgb(colour), to_rgb(surface), strict=True))
+
+
+def _halo(colours: Theme, width: float) -> dict[str, Any]:
+    from matplotlib.patheffects import Normal, Stroke
+
+    return {
+        "path_effects": [Stroke(linewidth=width, foreground=colours.surface), Normal()],
+        "solid_capstyle": "round",
+    }
+
+
+def _edge_bars(axes: Axes, patterns: Patterns, colours: Theme) -> None:
+    """Mark the stretches along the top and the left edge: the bridge to the lanes."""
+    across, down = axes.get_xaxis_transform(), axes.get_yaxis_transform()
+    for pattern in reversed(patterns.patterns):
+        colour = _colour_of(pattern.id, colours)
+        for start, stop, _, _ in pattern.stretches:
+            span = np.array([start, stop]) / patterns.rate
+            bar: dict[str, Any] = {"color": colour, "lw": 2.4, "clip_on": False, "solid_capstyle": "butt"}
+            axes.plot(span, [1.012, 1.012], transform=across, **bar)
+            axes.plot([-0.012, -0.012], span, transform=down, **bar)
+
+
+def _lane(axes: Axes, lane: int, pattern: Pattern, colours: Theme, per_second: float) -> None:
+    colour = _colour_of(pattern.id, colours)
+    rate = pattern.occurrences.rate
+    hatch = "////" if pattern.confidence < UNCERTAIN else None
+    for start, stop, _, _ in pattern.stretches:
+        _bar(axes, lane, start / rate, stop / rate, _mixed(colour, 0.13, colours.surface), hatch, colour)
+        axes.plot([start / rate] * 2, [lane + 0.14, lane + 0.86], color=colour, lw=1.8, solid_capstyle="butt")
+    starts = set(pattern.stretches.starts.tolist())
+    number = 0
+    for start, stop, _, _ in pattern.occurrences:
+        number = 1 if start in starts else number + 1
+        shade = _mixed(colour, 0.36 if number % 2 else 0.22, colours.surface)
+        _bar(axes, lane, start / rate, stop / rate, shade, hatch, colour)
+        for border in (start, stop):
+            axes.plot([border / rate] * 2, [lane + 0.14, lane + 0.86], color=colour, lw=0.8)
+        if (stop - start) / rate * per_second > 0.2 and pattern.kind == "cyclic":
+            axes.text((start + stop) / 2 / rate, lane + 0.5, str(number), ha="center", va="center",
+                      fontsize=SMALL, weight="bold", color=colours.ink)  # fmt: skip
+    _lane_head(axes, lane, pattern, colour, colours)
+
+
+def _bar(axes: Axes, lane: int, start: float, stop: float, fill: Any, hatch: str | None, edge: str) -> None:
+    from matplotlib.patches import Rectangle
+
+    bar = Rectangle(
+        (start, lane + 0.14), stop - start, 0.72, fc=fill, ec=edge if hatch else "none", hatch=hatch
+    )
+    bar.set(linewidth=0, zorder=1.5)
+    axes.add_patch(bar)
+
+
+def _lane_head(axes: Axes, lane: int, pattern: Pattern, colour: str, colours: Theme) -> None:
+    count, kind = len(pattern.occurrences), "cycle" if pattern.kind == "cyclic" else "time"
+    stretches = f"{len(pattern.stretches)} stretch" + "es" * (len(pattern.stretches) > 1)
+    chip = _in_head(axes, lane + 0.5, 0.14, pattern.id, colours.chip, SMALL)
+    chip.set(weight="bold", ha="center", bbox={"boxstyle": "round,pad=0.28", "fc": colour, "ec": "none"})
+    _in_head(axes, lane + 0.3, 0.34, stretches, colours.ink, SMALL)
+    _in_head(axes, lane + 0.7, 0.34, f"{count} {kind}s of {pattern.period_s:.2f} s", colours.ink2, SMALL - 1)
+
+
+def _in_head(axes: Axes, lane: float, inches: float, words: str, colour: str, size: float) -> Text:
+    """Write beside the lanes, so many inches from the left edge."""
+    from matplotlib.transforms import ScaledTranslation, blended_transform_factory
+
+    edge = ScaledTranslation(inches - HEAD, 0, axes.get_figure().dpi_scale_trans)  # type: ignore[union-attr]
+    place = blended_transform_factory(axes.transAxes, axes.transData) + edge
+    return axes.text(0, lane, words, color=colour, fontsize=size, va="center", transform=place)
+
+
+def _label_lane(axes: Axes, lane: int, labels: Segmentation, colours: Theme) -> None:
+    _in_head(axes, lane + 0.5, 0.34, "Given labels", colours.ink2, SMALL)
+    for start, _, word, _ in labels:
+        at = start / labels.rate
+        axes.plot([at, at], [lane + 0.25, lane + 0.75], color=colours.ink2, lw=0.8)
+        axes.annotate(word, (at, lane + 0.5), xytext=(3, 0), textcoords="offset points", va="center",
+                      fontsize=SMALL, color=colours.ink2, annotation_clip=True)  # fmt: skip
+
+
+def _paint(
+    axes: Axes, shapes: Sequence[Shape], right: float, points_per_metre: float, colours: Theme
+) -> None:
+    """Paint a figure from far to near, each part on a halo that keeps crossings readable."""
+    from matplotlib.patches import Polygon
+
+    styles: dict[str, dict[str, Any]] = {
+        "right": {"fc": colours.ink, "ec": "none"},
+        "left": {"fc": _mixed(colours.left, 0.1, colours.surface), "ec": colours.left},
+        "middle": {"fc": _mixed(colours.ink, 0.66, colours.surface), "ec": "none"},
+    }
+    for order, shape in enumerate(shapes):
+        style = dict(styles[shape.side])
+        width = OUTLINE if shape.side == "left" else 0.0
+        if shape.stroke:
+            style["ec"], width = style["fc"], shape.stroke * points_per_metre
+        halo = {"fc": colours.surface, "ec": colours.surface, "lw": width + 2 * HALO}
+        for zorder, look in ((order, halo), (order + 0.5, {**style, "lw": width})):
+            outline = np.add(shape.outline, (right, 0))
+            axes.add_patch(Polygon(outline, joinstyle="round", zorder=zorder, **look))
+
+
+def _clock(seconds: float) -> str:
+    return f"{int(seconds // 60)}:{seconds % 60:04.1f}"

@@ -1,0 +1,159 @@
+"""Shapes of a stick figure: what a posture looks like from the front, a little to its left, as flat outlines.
+
+Conventions
+-----------
+The body is turned to face the viewer's direction and seen without perspective. Outlines are metres to the
+viewer's right and up; the pelvis stands at 0 across. Shapes come in the order they are painted, far ones first.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from leitmotion.body import Body
+
+SEEN_FROM = 0.45  # radians to the left of the body's front
+FULL_SIZE = 1.5  # body size (ankle to hip, pelvis to head) of the person these radii are of, metres
+LIMBS = (
+    ("shoulder", "elbow", 0.047, 0.039),
+    ("elbow", "wrist", 0.039, 0.029),
+    ("wrist", "hand", 0.029, 0.02),
+    ("hip", "knee", 0.069, 0.05),
+    ("knee", "ankle", 0.05, 0.034),
+    ("ankle", "toe", 0.034, 0.026),
+)
+TORSO_STROKE, DOT = 0.125, 0.018
+HEAD, HEAD_ABOVE_NECK = (0.095, 0.122), (0.19, 0.25)
+ARC = np.linspace(0, 2 * np.pi, 49)
+
+
+class Shape(NamedTuple):
+    """One part of the figure."""
+
+    outline: np.ndarray
+    """(K, 2) a closed polygon: right and up, metres."""
+    side: str
+    """"left", "right" or "middle"."""
+    depth: float
+    """Toward the viewer, metres."""
+    stroke: float = 0.0
+    """How wide its border is drawn, metres; 0 for none."""
+
+
+def figure_shapes(body: Body, frame: int) -> list[Shape]:
+    """Outline a posture.
+
+    Parameters
+    ----------
+    body : Body
+        Points with roles; without roles each point is a dot.
+    frame : int
+        Which moment.
+
+    Returns
+    -------
+    list of Shape
+        Far to near. Parts of which a joint was not seen are left out.
+
+    Examples
+    --------
+    >>> arm = Body(("right_shoulder", "right_elbow"), [[[0, 1.4, 0], [-0.3, 1.4, 0]]], [0.0], rate=1, size=1.5)
+    >>> [shape.side for shape in figure_shapes(arm, 0)]
+    ['right']
+    """
+    seen = _seen(body, frame)
+    girth = body.size / FULL_SIZE
+    shapes = []
+    for side in ("left", "right"):
+        for start, end, wide, narrow in LIMBS:
+            a, b = seen.get(f"{side}_{start}"), seen.get(f"{side}_{end}")
+            if a is not None and b is not None:
+                outline = _capsule(a[:2], b[:2], wide * girth, narrow * girth)
+                shapes.append(Shape(outline, side, (a[2] + b[2]) / 2))
+    shapes += _trunk(seen, girth)
+    if not shapes:
+        shapes = [Shape(_disc(p[:2], DOT * girth), _side(role), p[2]) for role, p in seen.items()]
+    return sorted(shapes, key=lambda shape: shape.depth)
+
+
+def _seen(body: Body, frame: int) -> dict[str, np.ndarray]:
+    """Place the seen points before the viewer: right, up, toward; the pelvis at 0."""
+    points = np.zeros((len(body.roles), 3))
+    points[:, : body.positions.shape[2]] = body.positions[frame]
+    known = np.isfinite(points).all(axis=1)
+    if not known.any():
+        return {}
+    has_pelvis = "pelvis" in body.roles and known[body.roles.index("pelvis")]
+    root = points[body.roles.index("pelvis")] if has_pelvis else points[known].mean(axis=0)
+    x, y, z = (points - root * [1, 0, 1]).T
+    if body.positions.shape[2] == 3:
+        turn = body.facing[frame] + SEEN_FROM
+        x, z = np.cos(turn) * x - np.sin(turn) * z, np.sin(turn) * x + np.cos(turn) * z
+    placed = np.stack([x, y, z], axis=1)
+    return {role: placed[k] for k, role in enumerate(body.roles) if known[k]}
+
+
+def _trunk(seen: dict[str, np.ndarray], girth: float) -> list[Shape]:
+    """Outline torso, neck and head."""
+    shapes = []
+    corners = [seen.get(role) for role in ("left_shoulder", "right_shoulder", "left_hip", "right_hip")]
+    neck, head = seen.get("neck"), seen.get("head")
+    if all(corner is not None for corner in corners):
+        ls, rs, lh, rh = (np.asarray(corner) for corner in corners)
+        shoulders, hips = (ls + rs) / 2, (lh + rh) / 2
+        neck = shoulders if neck is None else neck
+        waist = hips + 0.34 * (shoulders - hips)
+        half = 0.36 * ((lh + 0.34 * (ls - lh)) - (rh + 0.34 * (rs - rh)))
+        polygon = np.array([
+            ls + 0.16 * (shoulders - ls), (neck + shoulders) / 2, rs + 0.16 * (shoulders - rs), waist - half,
+            rh + 0.12 * (hips - rh), lh + 0.12 * (hips - lh), waist + half,
+        ])  # fmt: skip
+        shapes.append(Shape(polygon[:, :2], "middle", float(polygon[:, 2].mean()), TORSO_STROKE * girth))
+    if head is None:
+        return shapes
+    up = np.array([0.0, 1.0, 0.0])
+    centre = head
+    if neck is not None and np.linalg.norm(head - neck) > 1e-6:
+        up = (head - neck) / np.linalg.norm(head - neck)
+        centre = neck + up * np.clip(np.linalg.norm(head - neck), *np.multiply(HEAD_ABOVE_NECK, girth))
+        depth = min([float(centre[2]), *(shape.depth for shape in shapes)]) - 1e-6  # under torso and head
+        shapes.append(Shape(_capsule(neck[:2], centre[:2], 0.05 * girth, 0.045 * girth), "middle", depth))
+    shapes.append(Shape(_ellipse(centre, up, girth), "middle", float(centre[2])))
+    return shapes
+
+
+def _ellipse(centre: np.ndarray, up: np.ndarray, girth: float) -> np.ndarray:
+    """Outline the head: seen along its axis it is round."""
+    upright = float(np.hypot(up[0], up[1]))
+    across, along = HEAD[0] * girth, (HEAD[0] + (HEAD[1] - HEAD[0]) * upright) * girth
+    axis = up[:2] / upright if upright > 1e-6 else np.array([0.0, 1.0])
+    sideways = np.array([axis[1], -axis[0]])
+    return np.asarray(
+        centre[:2] + along * np.cos(ARC)[:, None] * axis + across * np.sin(ARC)[:, None] * sideways
+    )
+
+
+def _disc(centre: np.ndarray, radius: float) -> np.ndarray:
+    return np.asarray(centre + radius * np.stack([np.cos(ARC), np.sin(ARC)], axis=1))
+
+
+def _capsule(a: np.ndarray, b: np.ndarray, wide: float, narrow: float) -> np.ndarray:
+    """Outline two discs and what lies between their common tangents."""
+    length = float(np.hypot(*(b - a)))
+    if length <= abs(wide - narrow):
+        return _disc(a if wide > narrow else b, max(wide, narrow))
+    toward = np.arctan2(b[1] - a[1], b[0] - a[0])
+    open_by = np.arccos((wide - narrow) / length)  # where the tangents touch, either side of the axis
+    about_a = toward + np.linspace(open_by, 2 * np.pi - open_by, 25)
+    about_b = toward + np.linspace(-open_by, open_by, 25)
+    arcs = [
+        centre + radius * np.stack([np.cos(angle), np.sin(angle)], axis=1)
+        for centre, radius, angle in ((a, wide, about_a), (b, narrow, about_b))
+    ]
+    return np.concatenate([*arcs, arcs[0][:1]])
+
+
+def _side(role: str) -> str:
+    return next((side for side in ("left", "right") if role.startswith(side)), "middle")
