@@ -57,18 +57,24 @@ def marked(points, n):
 
 
 @settings(deadline=None, max_examples=25)
-@given(n=st.integers(3, 40), threshold=st.floats(0.1, 0.9), reach=st.integers(1, 3), seed=st.integers(0, 999))
-def test_thinning_starts_and_tracing_equal_their_twins(n, threshold, reach, seed):
+@given(
+    n=st.integers(3, 40),
+    threshold=st.floats(0.1, 0.9),
+    apart=st.integers(1, 6),
+    reach=st.integers(1, 3),
+    seed=st.integers(0, 999),
+)
+def test_thinning_starts_and_tracing_equal_their_twins(n, threshold, apart, reach, seed):
     C = random_matrix(np.random.default_rng(seed), n)
     minima = np.zeros((n, n), np.bool_)
-    kernels.thin(C, threshold, minima)
-    expected = twin.thin(C, threshold)
+    kernels.thin(C, threshold, apart, minima)
+    expected = twin.thin(C, threshold, apart)
     assert {(int(x), int(y)) for x, y in np.argwhere(minima)} == expected
     starts = kernels.start_points(minima, reach)
     assert starts == twin.start_points(expected, reach)
     for start in starts[:4]:
-        found = kernels.trace(C, minima, *start, 5, 7, 0.5)
-        assert found == twin.trace(C, expected, start, (5, 7), 0.5)
+        found = kernels.trace(C, minima, *start, apart, 5, 7, 0.5)
+        assert found == twin.trace(C, expected, start, apart, (5, 7), 0.5)
 
 
 def test_a_start_point_needs_something_ahead_and_nothing_behind():
@@ -80,7 +86,7 @@ def test_a_start_point_needs_something_ahead_and_nothing_behind():
 
 
 def traced(C):
-    return tang2008._trace_patterns(C, 0.26, (30, 50), 0.5, 3)
+    return tang2008._trace_patterns(C, 0.26, (30, 50), 0.5, 30, 3)
 
 
 def test_a_gap_is_bridged_and_the_start_beyond_it_bypassed():

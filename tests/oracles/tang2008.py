@@ -3,6 +3,7 @@
 Points are (x, y): x the later moment, y the earlier, y < x.
 """
 
+import math
 from functools import cache
 
 import numpy as np
@@ -10,13 +11,13 @@ import numpy as np
 Point = tuple[int, int]
 
 
-def thin(C: np.ndarray, threshold: float) -> set[Point]:
+def thin(C: np.ndarray, threshold: float, apart: int) -> set[Point]:
     """Local minima along y of what is nearer than the threshold."""
     return {
         (x, y)
         for x in range(len(C))
         for y in range(1, x)
-        if C[x, y] < threshold and C[x, y] < min(C[x, y - 1], C[x, y + 1])
+        if x - y >= apart and C[x, y] < threshold and C[x, y] < min(C[x, y - 1], C[x, y + 1])
     }
 
 
@@ -35,7 +36,7 @@ def start_points(minima: set[Point], reach: int) -> list[Point]:
 
 
 def trace(
-    C: np.ndarray, minima: set[Point], start: Point, windows: tuple[int, int], dearest: float
+    C: np.ndarray, minima: set[Point], start: Point, apart: int, windows: tuple[int, int], dearest: float
 ) -> list[Point]:
     """Follow a pattern: the widest window with a valid candidate, of several the one with the least DTW cost."""
     points, window = [start], windows[0]
@@ -44,7 +45,7 @@ def trace(
         chosen = None
         for step in range(window, 0, -1):
             candidates = [
-                (_dtw(C, (x, y), (x + step, ahead)), ahead)
+                (_dtw(C, (x, y), (x + step, ahead), apart), ahead)
                 for ahead in range(y, x + step)
                 if (x + step, ahead) in minima and step / 2 <= ahead - y <= 2 * step
             ]
@@ -58,11 +59,13 @@ def trace(
         window = windows[1]
 
 
-def _dtw(C: np.ndarray, start: Point, stop: Point) -> float:
+def _dtw(C: np.ndarray, start: Point, stop: Point, apart: int) -> float:
     """Cost of the cheapest path between two points over the number of its cells."""
 
     @cache
     def least(x: int, y: int) -> tuple[float, int]:
+        if x - y < apart:
+            return math.inf, 0
         if (x, y) == start:
             return float(C[x, y]), 1
         before = [(x - 1, y - 1), (x - 1, y), (x, y - 1)]

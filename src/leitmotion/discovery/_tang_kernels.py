@@ -3,6 +3,7 @@
 
 The paper draws the later moment x to the right and the earlier one y upwards and keeps the half y < x. C is
 symmetric, so the paper's column of moment x is here the row C[x], and its neighbours in y lie side by side.
+Moments less than `apart` from one another are the same moment of one movement: no pattern and no way leads there.
 """
 
 import numpy as np
@@ -10,10 +11,10 @@ from numba import njit
 
 
 @njit(cache=True)
-def thin(C, T, minima):
-    """Mark in minima (n, n) the vertical local minima of the binary cloud C < T, y < x (section 2.3.2)."""
+def thin(C, T, apart, minima):
+    """Mark in minima (n, n) the vertical local minima of the binary cloud C < T (section 2.3.2)."""
     for x in range(C.shape[0]):
-        for y in range(1, x):
+        for y in range(1, x - apart + 1):
             c = C[x, y]
             minima[x, y] = c < T and c < C[x, y - 1] and c < C[x, y + 1]
 
@@ -49,7 +50,7 @@ def _any_within(minima, x0, x1, y0, y1):
 
 
 @njit(cache=True)
-def trace(C, minima, x, y, first_window, next_window, dearest):
+def trace(C, minima, x, y, apart, first_window, next_window, dearest):
     """Follow a pattern from its start point; returns the points chosen, rows (x, y) (section 2.3.3).
 
     The window's far edge cuts a column of minima; those within slope [1/2, 2] are candidates and the one with
@@ -60,7 +61,7 @@ def trace(C, minima, x, y, first_window, next_window, dearest):
     cost = np.empty((size + 1, 2 * size + 1), np.float32)
     window = first_window
     while True:
-        _dtw_from(C, x, y, window, cost)
+        _dtw_from(C, x, y, apart, window, cost)
         found = False
         for step in range(window, 0, -1):
             if x + step >= C.shape[0]:
@@ -80,7 +81,7 @@ def trace(C, minima, x, y, first_window, next_window, dearest):
 
 
 @njit(cache=True)
-def _dtw_from(C, x, y, window, cost):
+def _dtw_from(C, x, y, apart, window, cost):
     """Fill cost[i, j] with the DTW cost from (x, y) to (x + i, y + j) over the length of its path."""
     n = C.shape[0]
     D = np.full((window + 1, 2 * window + 1), np.inf)
@@ -88,7 +89,7 @@ def _dtw_from(C, x, y, window, cost):
     for i in range(window + 1):
         for j in range(2 * window + 1):
             cost[i, j] = np.inf
-            if x + i >= n or y + j >= n:
+            if x + i >= n or x + i - y - j < apart:
                 continue
             best, length = np.inf, 0.0
             if i == 0 and j == 0:

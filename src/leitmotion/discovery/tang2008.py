@@ -126,7 +126,7 @@ def find_patterns_tang2008(
     windows = max(1, round(first_window_s * rate_hz)), max(1, round(next_window_s * rate_hz))
     reach = max(1, round(REACH_S * rate_hz))
 
-    traced = _trace_patterns(C, threshold, windows, dtw_threshold, reach)
+    traced = _trace_patterns(C, threshold, windows, dtw_threshold, shortest, reach)
     traces = _distinct(traced, len(C), shortest, reach)
     families = _cluster(traces, cluster_tolerance)
     found, single = _cut_cycles(families, work.values, shortest, cluster_tolerance)
@@ -161,7 +161,7 @@ def _scaled(distances: np.ndarray) -> tuple[np.ndarray, float]:
 
 
 def _trace_patterns(
-    C: np.ndarray, threshold: float, windows: tuple[int, int], dtw_threshold: float, reach: int
+    C: np.ndarray, threshold: float, windows: tuple[int, int], dtw_threshold: float, apart: int, reach: int
 ) -> list[Trace]:
     """Thin the binary cloud, find start points and trace from each not yet passed (section 2.3).
 
@@ -170,23 +170,24 @@ def _trace_patterns(
     from leitmotion.discovery import _tang_kernels
 
     minima = np.zeros(C.shape, np.bool_)
-    _tang_kernels.thin(C, threshold, minima)
+    _tang_kernels.thin(C, threshold, apart, minima)
     passed = np.zeros(C.shape, np.bool_)
     traces = []
     for x, y in _tang_kernels.start_points(minima, reach):
         if not passed[x, y]:
-            points = _tang_kernels.trace(C, minima, x, y, *windows, dtw_threshold)
-            trace = _optimal_path(C, np.array(points))
+            points = _tang_kernels.trace(C, minima, x, y, apart, *windows, dtw_threshold)
+            trace = _optimal_path(C, np.array(points), apart)
             _mark(passed, trace, reach)
             traces.append(trace)
     return traces
 
 
-def _optimal_path(C: np.ndarray, points: np.ndarray) -> Trace:
+def _optimal_path(C: np.ndarray, points: np.ndarray, apart: int) -> Trace:
     """Join the points of a trace by the DTW path of each leg (figure 8 (d))."""
     legs = [points[:1, ::-1]]
     for (x0, y0), (x1, y1) in pairwise(points):
-        leg = align(C[y0 : y1 + 1, x0 : x1 + 1]).path[1:]
+        lag = np.arange(x0, x1 + 1) - np.arange(y0, y1 + 1)[:, None]
+        leg = align(np.where(lag >= apart, C[y0 : y1 + 1, x0 : x1 + 1], np.nan)).path[1:]
         legs.append(np.add(leg, (y0, x0)))
     path = np.concatenate(legs)
     return Trace(path, float(C[path[:, 0], path[:, 1]].mean()))
