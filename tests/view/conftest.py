@@ -1,5 +1,6 @@
 """A recording of which everything is known, the page of it, and one browser for all tests of pages."""
 
+import itertools
 import os
 import shutil
 from collections.abc import Callable, Iterator
@@ -8,6 +9,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 import pytest
+
 from leitmotion.body import Body, embody
 from leitmotion.datasets import compose_session
 from leitmotion.discovery import Pattern, PatternPair, Patterns
@@ -89,7 +91,7 @@ def patterns_of(session: Any) -> Patterns:
                 f"truth of {name}",
             )
         )
-        pairs += [PatternPair(letter, straight_path(a, b), 0.03) for a, b in zip(cycles, cycles[1:])]
+        pairs += [PatternPair(letter, straight_path(a, b), 0.03) for a, b in itertools.pairwise(cycles)]
     return Patterns(tuple(found), tuple(pairs), RATE, {"min_duration_s": 0.5})
 
 

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+
 from leitmotion.discovery import Pattern
 from leitmotion.motion import Segmentation
 from leitmotion.view.choose import choose_key, choose_strips, find_nearest, floor_height, look_across
@@ -85,7 +86,7 @@ def test_the_key_posture_is_least_like_the_rest() -> None:
 
 
 def test_the_floor_lies_under_the_feet(rng: np.random.Generator) -> None:
-    drawn = rng.random((100, 5, 3)) + [0, 2, 0]
+    drawn = rng.random((100, 5, 3)) + np.array([0, 2, 0])
     drawn[:, 0, 1] = 1.5
     drawn[3] = np.nan
     assert floor_height(drawn, 1.0) == pytest.approx(1.5 - 0.026)

@@ -1,6 +1,9 @@
 """The sentences: counts as words, singulars, what is true of this file and nothing else."""
 
+import itertools
+
 import pytest
+
 from leitmotion.discovery import Pattern, Patterns
 from leitmotion.motion import Segmentation
 from leitmotion.view import words
@@ -76,7 +79,7 @@ def test_the_title_is_what_was_found(patterns: Patterns, title: str) -> None:
 def test_the_lead_is_one_line_of_chips_and_counts(patterns: Patterns, lead: str) -> None:
     pieces = words.lead(patterns, 38.2)
     assert plain(pieces) == lead
-    assert not any(isinstance(a, str) and isinstance(b, str) for a, b in zip(pieces, pieces[1:]))
+    assert not any(isinstance(a, str) and isinstance(b, str) for a, b in itertools.pairwise(pieces))
     assert all(isinstance(piece, str | Chip) for piece in pieces)
 
 

@@ -189,9 +189,9 @@ def _body(body: Body, step: int, unit: _Unit, patterns: Patterns) -> dict[str, A
     size = body.size * unit.draw
     floor = floor_height(drawn, size / FULL_SIZE)
     index = {role: r for r, role in enumerate(body.roles)}
-    compared = (
-        [index[role] for role in ANALYSIS_ROLES if role in index] if known else list(range(len(body.roles)))
-    )
+    searched = patterns.parameters.get("features")
+    names = searched if isinstance(searched, list | tuple) else ANALYSIS_ROLES if known else body.roles
+    compared = [index[name] for name in names if name in index]
     return {
         "roles": list(body.roles),
         "words": [words.role_word(role) for role in body.roles],
