@@ -1,6 +1,8 @@
 """Names: one side and one word, whoever wrote them."""
 
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 
 from leitmotion.body.names import parse_names
 
@@ -49,5 +51,18 @@ def test_what_all_names_share_says_nothing():
     assert [tuple(name) for name in read] == [("", ""), ("left", "thigh"), ("right", "thigh"), ("", "pelvis")]
 
 
+def test_a_helper_without_the_prefix_does_not_hide_it():
+    read = parse_names(
+        ["Armature", *(f"mixamorig_{joint}" for joint in ("Hips", "Spine", "Neck", "LeftArm", "Head"))]
+    )
+    assert tuple(read[-2]) == ("left", "arm")
+    assert tuple(read[0]) == ("", "armature")
+
+
 def test_a_shared_side_is_no_prefix():
     assert {name.side for name in parse_names(["LeftArm", "LeftHand", "LeftLeg"])} == {"left"}
+
+
+@given(st.lists(st.text(max_size=12), max_size=6))
+def test_any_names_are_read(names):
+    assert len(parse_names(names)) == len(names)

@@ -1,9 +1,10 @@
 """Which joints or markers stand for which role: read from names and from the tree, checked against geometry.
 
-Conventions ----------- A role that cannot be told is absent: it is never filled by a guess. Confidence is 1
-where a name says a role outright and the tree and the geometry agree; markers on the skin start at 0.9,
-stand-ins lower; what speaks against an assignment lowers it (:mod:`leitmotion.body.plausibility`), nothing is
-swapped or repaired.
+Conventions
+-----------
+A role that cannot be told is absent: it is never filled by a guess. Confidence is 1 where a name says a role outright
+and the tree and the geometry agree; markers on the skin start at 0.9, stand-ins lower; what speaks against an
+assignment lowers it (:mod:`leitmotion.body.plausibility`). Nothing is swapped or repaired.
 """
 
 from __future__ import annotations

@@ -9,6 +9,7 @@ word that :mod:`leitmotion.body.vocabulary` knows and the same word stands on th
 from __future__ import annotations
 
 import re
+from collections import Counter
 from collections.abc import Sequence
 from typing import NamedTuple
 
@@ -20,6 +21,7 @@ CORNERS = {
     "lf": ("left", "front"), "rf": ("right", "front"), "lb": ("left", "back"), "rb": ("right", "back"),
     "f": ("", "front"), "b": ("", "back"),
 }  # fmt: skip
+MOST = 0.8  # of the names: a token that begins so many is the name of a character, not of a joint
 
 _TOKEN = re.compile(r"[A-Z]+(?=[A-Z][a-z])|[A-Z]?[a-z]+|[A-Z]+|\d+")
 
@@ -54,9 +56,8 @@ def parse_names(names: Sequence[str]) -> tuple[PointName, ...]:
     >>> [tuple(name) for name in parse_names(["lfemur", "rfemur", "lowerback", "radius"])]
     [('left', 'femur'), ('right', 'femur'), ('', 'lowerback'), ('', 'radius')]
     """
-    tokens = [_tokens(name) for name in names]
-    shared = _shared_prefix(tokens)
-    return _unglue([_side_and_word(row[shared:]) for row in tokens])
+    rows = _without_prefix([_tokens(name) for name in names])
+    return _unglue([_side_and_word(row) for row in rows])
 
 
 def _tokens(name: str) -> list[str]:
@@ -64,17 +65,14 @@ def _tokens(name: str) -> list[str]:
     return [token.lower().lstrip("0") or "0" for token in _TOKEN.findall(last)]
 
 
-def _shared_prefix(rows: Sequence[list[str]]) -> int:
-    """Count the leading tokens that all names share: the ``Bip01`` of ``Bip01 L Thigh``."""
-    if len(rows) < 3:
-        return 0
-    count = 0
-    while (
-        all(len(row) > count and row[count] == rows[0][count] for row in rows) and rows[0][count] not in SIDES
-    ):
-        count += 1
-    longest = max(rows, key=len)
-    return count if len(longest) > count else 0
+def _without_prefix(rows: list[list[str]]) -> list[list[str]]:
+    """Take off the leading tokens that nearly all names share: the ``Bip01`` of ``Bip01 L Thigh``."""
+    for _ in range(max(map(len, rows), default=0)):
+        token, count = Counter(row[0] for row in rows if row).most_common(1)[0]
+        if len(rows) < 3 or count < MOST * len(rows) or token in SIDES:
+            break
+        rows = [row[1:] if row[:1] == [token] else row for row in rows]
+    return rows
 
 
 def _side_and_word(tokens: list[str]) -> PointName:

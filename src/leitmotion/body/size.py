@@ -1,8 +1,9 @@
 """Size: one length that says how large a body is, told from whichever roles were found.
 
-References ---------- [1] Drillis, Contini, *Body segment parameters*, New York University (1966): segment
-lengths as shares of stature, as
-    tabulated in Winter, *Biomechanics and Motor Control of Human Movement*.
+References
+----------
+[1] Drillis, Contini, *Body segment parameters*, New York University (1966): segment lengths as shares of
+    stature, as tabulated in Winter, *Biomechanics and Motor Control of Human Movement*.
 """
 
 from __future__ import annotations

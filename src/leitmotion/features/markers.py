@@ -1,8 +1,9 @@
 """Marker posture: the normalisation of paper P, marker by marker.
 
-References ---------- [1] Tang, Leung, Komura, Shum, *Finding repetitive patterns in 3D human motion captured
-data* (2008), section 2.1,
-    eq. 1, figure 4.
+References
+----------
+[1] Tang, Leung, Komura, Shum, *Finding repetitive patterns in 3D human motion captured data* (2008), section
+    2.1, eq. 1, figure 4.
 """
 
 from __future__ import annotations

@@ -1,10 +1,13 @@
 """Posture: where the joints are, seen from the body itself.
 
-Conventions ----------- Place is the pelvis' (x, z); height stays. Yaw is the body's facing, turned to +Z. One
-unit is the body's size.
+Conventions
+-----------
+Place is the pelvis' (x, z); height stays. Yaw is the body's facing, turned to +Z. One unit is the body's size.
 
-References ---------- [1] Tang, Leung, Komura, Shum, *Finding repetitive patterns in 3D human motion captured
-data* (2008), section 2.1.
+References
+----------
+[1] Tang, Leung, Komura, Shum, *Finding repetitive patterns in 3D human motion captured data* (2008), section
+    2.1.
 """
 
 from __future__ import annotations

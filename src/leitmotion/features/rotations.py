@@ -1,8 +1,10 @@
 """Joint rotations: how each joint is turned against the one that it hangs on.
 
-Conventions ----------- Unit quaternions (w, x, y, z). The joint of a role turns against the joint of the role
-above it (:data:`leitmotion.body.LINKS`), so that joints in between (twists, a spine of three or of five) do
-not count; the pelvis turns against the world, its yaw taken out.
+Conventions
+-----------
+Unit quaternions (w, x, y, z). The joint of a role turns against the joint of the role above it
+(:data:`leitmotion.body.LINKS`), so that joints in between (twists, a spine of three or of five) do not count;
+the pelvis turns against the world, its yaw taken out.
 """
 
 from __future__ import annotations

@@ -1,7 +1,9 @@
 """Velocity: how fast and which way the joints move, seen from the body itself.
 
-Conventions ----------- Velocities are those in the world (locomotion is seen in every joint), turned so that
-the body faces +Z. One unit is one body size a second.
+Conventions
+-----------
+Velocities are those in the world (locomotion is seen in every joint), turned so that the body faces +Z. One
+unit is one body size a second.
 """
 
 from __future__ import annotations
