@@ -162,7 +162,7 @@ def _describe(
         "rate": Finding(recording.rate, "given", not_from_file),
         **reading.findings,
         "facing": _facing(body),
-        "size": Finding(body.size, "guessed", "ankle to knee to hip, and pelvis to neck to head, the median"),
+        "size": Finding(body.size, "guessed", _HOW_SIZED[bool(body_map.roles)]),
     }
     checks = (check(recording, body, body_map) for check in _CHECKS)
     alone = len(reading.recordings) == 1
@@ -328,6 +328,11 @@ def _listed(names: list[str]) -> str:
     shown = names if len(names) <= 6 else [*names[:5], f"{len(names) - 5} more"]
     return ", ".join(shown[:-1]) + f" and {shown[-1]}" if len(shown) > 1 else shown[0]
 
+
+_HOW_SIZED = {
+    True: "ankle to knee to hip plus pelvis to neck to head; a missing part in proportion to the others",
+    False: "from the height of all points, as no role is known",
+}
 
 _Check = Callable[[Recording, Body, BodyMap], Problem | None]
 _CHECKS: tuple[_Check, ...] = (_sized, _upright, _named, _sure, _jumps, _unseen, _held, _long_enough)

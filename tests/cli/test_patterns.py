@@ -142,6 +142,21 @@ def test_stillness_and_shortest_length_are_options(run: Run, made: Path) -> None
     assert parameters["min_duration_s"] == 0.8
 
 
+@pytest.mark.parametrize(
+    "options",
+    [
+        ["--method", "tang2008", "--stillness"],
+        ["--min-duration", "0"],
+        ["--rate", "-30"],
+        ["--method", "magic"],
+    ],
+)
+def test_options_that_cannot_be_are_wrong_usage(run: Run, made: Path, options: list[str]) -> None:
+    told = run("patterns", made / "jacks.bvh", *options)
+    assert told.exit_code == 2
+    assert told.stdout == ""
+
+
 def test_reading_options_stand_in_the_parameters(run: Run, made: Path) -> None:
     told = run("patterns", made / "jacks.bvh", "--json", "--rate", "60", "--unit", "m")
     document = json.loads(told.stdout)

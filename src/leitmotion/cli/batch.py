@@ -144,7 +144,8 @@ def _print(
     if options.as_json:
         click.echo(as_line(document))
     elif isinstance(answer, Failure):
-        click.echo(answer.sentence, err=True)
+        named = alone or given.path.name in answer.message
+        click.echo(answer.sentence if named else f"{given.shown}: {answer.sentence}", err=True)
     else:
         _show(given, answer, options, first=first, alone=alone)
     return document

@@ -64,6 +64,8 @@ class Options:
     @property
     def searching(self) -> dict[str, Any]:
         """The keyword arguments of the search, those that were given."""
+        if self.stillness and self.method != "recurrence":
+            raise click.UsageError("--stillness belongs to --method recurrence.")
         given: dict[str, Any] = {"method": self.method, "joints": self.joints, "exclude": self.exclude}
         if self.min_duration is not None:
             given["min_duration_s"] = self.min_duration
@@ -91,6 +93,7 @@ def _names(ctx: click.Context, param: click.Parameter, value: tuple[str, ...]) -
     return tuple(name.strip() for given in value for name in given.split(",") if name.strip())
 
 
+_POSITIVE = click.FloatRange(min=0, min_open=True)
 _READING = (
     click.option("--person", metavar="NAME", help="Which person of a file that holds several."),
     click.option("--skeleton", metavar="FILE", help="The ASF file of an AMC, when it is not beside it."),
@@ -100,7 +103,9 @@ _READING = (
     click.option(
         "--up", metavar="AXIS", help="The axis that points up: y or z, when the file does not tell."
     ),
-    click.option("--rate", type=float, metavar="HZ", help="Frames per second, when the file does not tell."),
+    click.option(
+        "--rate", type=_POSITIVE, metavar="HZ", help="Frames per second, when the file does not tell."
+    ),
     click.option(
         "--map",
         "body_map",
@@ -124,7 +129,9 @@ _SEARCHING = (
         help="Compare only these roles; with wildcards, as in 'left_*,head'. `info` lists them.",
     ),
     click.option("--exclude", multiple=True, callback=_names, metavar="ROLES", help="Leave these roles out."),
-    click.option("--min-duration", type=float, metavar="SECONDS", help="The shortest stretch that counts."),
+    click.option(
+        "--min-duration", type=_POSITIVE, metavar="SECONDS", help="The shortest stretch that counts."
+    ),
     click.option("--stillness", is_flag=True, help="Let a posture that is held again count as a pattern."),
 )
 _ANSWERING = (
