@@ -195,10 +195,14 @@ def test_figures_save_in_every_format(theme, format):
 
 
 def test_no_window_and_no_global_setting_is_touched():
-    code = (
-        "import sys, matplotlib; before = dict.copy(matplotlib.rcParams); import numpy as np;"
-        "from leitmotion.similarity import SimilarityMatrix; from leitmotion.view.plots import plot_matrix;"
-        "plot_matrix(SimilarityMatrix(np.eye(9), 'mean_norm', 30, 30));"
-        "assert 'matplotlib.pyplot' not in sys.modules; assert dict.copy(matplotlib.rcParams) == before"
-    )
+    code = """
+import sys, matplotlib, numpy as np
+from leitmotion.similarity import SimilarityMatrix
+from leitmotion.view.plots import plot_matrix
+settings = lambda: {k: matplotlib.rcParams[k] for k in matplotlib.rcParams if k != "backend"}
+before = settings()
+plot_matrix(SimilarityMatrix(np.eye(9), "mean_norm", 30, 30))
+assert "matplotlib.pyplot" not in sys.modules
+assert settings() == before
+"""
     subprocess.run([sys.executable, "-c", code], check=True)

@@ -13,9 +13,9 @@ from typing import NamedTuple
 import numpy as np
 
 from leitmotion.body import Body
+from leitmotion.view.payload import FULL_SIZE
 
 SEEN_FROM = 0.45  # radians to the left of the body's front
-FULL_SIZE = 1.5  # body size (ankle to hip, pelvis to head) of the person these radii are of, metres
 LIMBS = (
     ("shoulder", "elbow", 0.047, 0.039),
     ("elbow", "wrist", 0.039, 0.029),
