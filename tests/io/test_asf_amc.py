@@ -139,7 +139,17 @@ ASF = """# a comment
     back head
   end
 """
-AMC = ":FULLY-SPECIFIED\n:DEGREES\n1\nroot 10 20 30 0 0 0\nback {back}\nhead 90\n2\nroot 10 20 30 0 0 90\nback {back}\nhead 0\n"
+AMC = """:FULLY-SPECIFIED
+:DEGREES
+1
+root 10 20 30 0 0 0
+back {back}
+head 90
+2
+root 10 20 30 0 0 90
+back {back}
+head 0
+"""
 
 
 def put(tmp_path, *, angle="deg", order="TX TY TZ RX RY RZ", dofs="rx", back="0", axis="0 0 0", amc=AMC):

@@ -143,7 +143,7 @@ def test_a_point_exactly_in_the_origin_is_unseen(tmp_path, walk):
 
 
 def test_without_unit_and_screen_both_are_judged(tmp_path, rng):
-    places = rng.normal(0, 5, (30, 4, 3)) + [[0, 0, 1700], [100, 0, 80], [-100, 0, 80], [100, -150, 10]]
+    places = rng.normal(np.array([[0, 0, 1700], [100, 0, 80], [-100, 0, 80], [100, -150, 10]]), 5, (30, 4, 3))
     content = c3d_bytes(places, LABELS, parameters={"UNITS": None, "X_SCREEN": None, "Y_SCREEN": None})
     findings = io.open_recording(put(tmp_path, content)).findings
     assert [(findings[key].value, findings[key].how) for key in ("unit", "up")] == [

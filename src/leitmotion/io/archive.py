@@ -23,6 +23,7 @@ import numpy as np
 from leitmotion.io.files import read_bytes, write_whole
 from leitmotion.io.reading import Draft, Finding, PointTake, SkeletonTake, Source
 from leitmotion.motion import FormatError, Motion, ParameterError, Trajectories
+from leitmotion.motion.noun import Noun
 
 VERSION = 1
 """Version of the layout; a reader refuses a newer one."""
@@ -215,8 +216,8 @@ def _class_at(address: object) -> type:
 def _is_noun(kind: type) -> bool:
     return (
         dataclasses.is_dataclass(kind)
+        and issubclass(kind, Noun)
         and kind.__module__.split(".")[0] == _PACKAGE
-        and kind.__eq__ is Motion.__eq__  # what the decorator `noun` gives to all of them
     )
 
 

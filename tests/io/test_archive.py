@@ -1,0 +1,190 @@
+"""The archive: loading what was saved is the identity for every noun of the house."""
+
+import dataclasses
+import importlib
+import io as bytes_io
+import json
+import pkgutil
+
+import numpy as np
+import pytest
+
+import leitmotion
+from leitmotion import io
+from leitmotion.body import Body, BodyMap
+from leitmotion.discovery.pattern import Pattern, PatternPair, Patterns
+from leitmotion.features.sequence import FeatureSequence
+from leitmotion.motion import (
+    FormatError,
+    Motion,
+    ParameterError,
+    Segmentation,
+    Skeleton,
+    Trajectories,
+    rotations,
+)
+from leitmotion.motion.noun import Noun
+from leitmotion.similarity import Alignment, SimilarityMatrix
+
+
+def samples():
+    rng = np.random.default_rng(0)
+    skeleton = Skeleton(("a", "b b", "ü"), [-1, 0, 1], rng.normal(size=(3, 3)), [2], [[0, 0.1, 0]])
+    quaternions = rotations.normalize(rng.normal(size=(5, 3, 4)))
+    motion = Motion(skeleton, rng.normal(size=(5, 3, 3)), quaternions, 120000 / 1001, "clip:Ann")
+    positions = rng.normal(size=(4, 2, 3))
+    positions[1, 0] = np.nan
+    markers = Trajectories(("L", "R"), positions, 50, confidence=rng.uniform(size=(4, 2)), name="x")
+    flat = Trajectories(("L",), rng.normal(size=(4, 1, 2)), 30, "px", "joint", name="y")
+    spans = Segmentation([0, 3], [3, 9], ("walk", ""), [0.5, np.nan], 120)
+    empty = Segmentation([], [], rate=30)
+    pattern = Pattern("A", "cyclic", spans, Segmentation([0], [9], rate=120), 0.03, 0.1, 0.9, "because")
+    pair = PatternPair("A", [[0, 3], [1, 4]], 0.1)
+    yield from (skeleton, motion, markers, flat, spans, empty, pattern, pair)
+    parameters = {"method": "recurrence", "roles": ("pelvis", "head"), "bounds": [1, 2.5, None], "n": {"a": True},
+                  "nan": float("nan"), "weights": np.arange(3.0), "inf": float("-inf"), "count": np.int64(3)}  # fmt: skip
+    yield Patterns((pattern,), (pair,), 120, parameters, "near")
+    yield Patterns((), (), 30, {}, "")
+    yield BodyMap(("pelvis", "head"), (("a",), ("b b", "ü")), [1.0, 0.5])
+    yield Body(("pelvis", "head"), positions, np.zeros(4), 50, 1.6, name="x")
+    yield FeatureSequence(rng.normal(size=(4, 6)), ("pelvis", "head"), 50, ("place",), width=3, scale=1.6)
+    values = rng.uniform(size=(4, 4)).astype(np.float32)
+    fields = {f.name for f in dataclasses.fields(SimilarityMatrix)}
+    if {"values", "metric", "row_rate", "column_rate"} <= fields:
+        yield SimilarityMatrix(values, "mean_norm", 50.0, 50.0)
+    yield Alignment([[0, 0], [1, 1]], 0.5, 2)
+
+
+SAMPLES = {f"{type(noun).__name__}-{k}": noun for k, noun in enumerate(samples())}
+
+
+@pytest.mark.parametrize("key", SAMPLES)
+def test_loading_what_was_saved_is_the_identity(tmp_path, key):
+    noun = SAMPLES[key]
+    back = io.load(io.save(noun, tmp_path / "noun.npz"))
+    if isinstance(noun, Patterns):  # a dict that holds NaN and arrays is not equal to itself by ==
+        mine, theirs = dict(noun.parameters), dict(back.parameters)
+        assert list(mine) == list(theirs)
+        for name, value in mine.items():
+            np.testing.assert_equal(theirs[name], value)
+            assert isinstance(value, np.generic) or type(theirs[name]) is type(value)
+        noun, back = noun.replace(parameters={}), back.replace(parameters={})
+    assert type(back) is type(noun)
+    assert back == noun
+    for field in dataclasses.fields(noun):
+        value = getattr(noun, field.name)
+        if isinstance(value, np.ndarray):
+            assert getattr(back, field.name).dtype == value.dtype
+
+
+def test_every_noun_of_the_house_has_a_sample_or_is_known_by_its_fields():
+    """A noun holds what an archive holds: arrays, numbers, text, tuples, dicts and nouns."""
+    found = set()
+    for room in ("motion", "body", "features", "similarity", "discovery"):
+        package = importlib.import_module(f"leitmotion.{room}")
+        for info in pkgutil.iter_modules(package.__path__):
+            if info.name.startswith("_"):
+                continue
+            module = importlib.import_module(f"leitmotion.{room}.{info.name}")
+            for name, kind in vars(module).items():
+                if (
+                    isinstance(kind, type)
+                    and kind.__module__ == module.__name__
+                    and kind in Noun.__subclasses__()
+                ):
+                    found.add(name)
+    missing = found - {type(noun).__name__ for noun in SAMPLES.values()}
+    assert not missing, f"add a sample of {missing} to this file"
+
+
+def test_a_recording_is_read_back_with_its_name(tmp_path):
+    for noun in (SAMPLES["Motion-1"], SAMPLES["Trajectories-2"], SAMPLES["Trajectories-3"]):
+        path = io.write(noun, tmp_path / "other.npz")
+        assert io.read(path) == noun
+        assert io.open_recording(path).findings["unit"].how == "read"
+
+
+def test_the_same_noun_makes_the_same_bytes(tmp_path):
+    noun = SAMPLES["Motion-1"]
+    assert io.save(noun, tmp_path / "a.npz").read_bytes() == io.save(noun, tmp_path / "b.npz").read_bytes()
+
+
+def test_another_noun_is_no_recording(tmp_path):
+    path = io.save(SAMPLES["Segmentation-4"], tmp_path / "spans.npz")
+    with pytest.raises(FormatError, match=r"expected a recording, found a Segmentation.*io\.load"):
+        io.read(path)
+
+
+@pytest.mark.parametrize("value", [{"a": 1}, np.zeros(3), "text", None, object()])
+def test_only_nouns_are_saved(tmp_path, value):
+    with pytest.raises(ParameterError, match="holds a noun"):
+        io.save(value, tmp_path / "x.npz")
+    with pytest.raises(ParameterError, match="An archive holds"):
+        io.save(SAMPLES["Patterns-9"].replace(parameters={"x": object()}), tmp_path / "x.npz")
+    assert not (tmp_path / "x.npz").exists()
+
+
+def forged(tmp_path, **changes):
+    file = bytes_io.BytesIO()
+    np.savez(file, header=np.frombuffer(json.dumps(changes).encode(), dtype=np.uint8))
+    path = tmp_path / "forged.npz"
+    path.write_bytes(file.getvalue())
+    return path
+
+
+@pytest.mark.parametrize(
+    ("header", "match"),
+    [
+        (
+            {"leitmotion": 2, "noun": "leitmotion.motion:Motion", "fields": {}},
+            "newer Leitmotion: archive version 2",
+        ),
+        ({"noun": "leitmotion.motion:Motion", "fields": {}}, "version of a Leitmotion archive"),
+        ({"leitmotion": 1, "noun": "leitmotion.motion:Nothing", "fields": {}}, "does not know"),
+        ({"leitmotion": 1, "noun": "os:system", "fields": {}}, "does not know"),
+        ({"leitmotion": 1, "noun": "leitmotion.motion:LeitmotionError", "fields": {}}, "does not know"),
+        ({"leitmotion": 1, "noun": "leitmotion.no.such:Motion", "fields": {}}, "does not know"),
+        ({"leitmotion": 1, "noun": "leitmotion.motion:Segmentation", "fields": {"start": 1}}, "damaged"),
+        (
+            {
+                "leitmotion": 1,
+                "noun": "leitmotion.motion:Segmentation",
+                "fields": {"starts": {"array": "a0"}},
+            },
+            "damaged",
+        ),
+        ({"leitmotion": 1, "strange": 1}, "damaged: its header holds"),
+    ],
+)
+def test_what_cannot_be_loaded_is_one_sentence(tmp_path, header, match):
+    with pytest.raises(FormatError, match=match):
+        io.load(forged(tmp_path, **header))
+
+
+def test_foreign_and_damaged_files_are_one_sentence(tmp_path, rng):
+    content = io.save(SAMPLES["Motion-1"], tmp_path / "good.npz").read_bytes()
+    path = tmp_path / "bad.npz"
+    np.savez(path, poses=np.zeros((3, 4)))
+    with pytest.raises(FormatError, match="without Leitmotion's header: it holds poses"):
+        io.load(path)
+    np.savez(path, header=np.array([{"pickle": 1}], dtype=object))
+    with pytest.raises(FormatError, match="pickle|damaged"):
+        io.load(path)
+    for cut in rng.integers(1, len(content) - 1, 20):
+        path.write_bytes(content[:cut])
+        with pytest.raises(FormatError, match=r"bad\.npz"):
+            io.load(path)
+    for place in rng.integers(0, len(content), 60):
+        path.write_bytes(content[:place] + bytes([content[place] ^ 0x5A]) + content[place + 1 :])
+        try:
+            io.load(path)
+        except FormatError:
+            pass
+
+
+def test_the_version_is_in_the_file(tmp_path):
+    path = io.save(SAMPLES["Segmentation-4"], tmp_path / "spans.npz")
+    with np.load(path) as box:
+        header = json.loads(box["header"].tobytes())
+    assert (header["leitmotion"], header["noun"]) == (1, "leitmotion.motion:Segmentation")
+    assert leitmotion.__name__ == "leitmotion"

@@ -1,0 +1,248 @@
+"""Sources: windows, people, formats told by content, and a sentence for everything that goes wrong."""
+
+import os
+import threading
+
+import numpy as np
+import pytest
+
+from leitmotion import io
+from leitmotion.io.files import write_whole
+from leitmotion.io.units import METRES
+from leitmotion.motion import DataError, FormatError, LeitmotionError, ParameterError
+
+TABLE = "time,A_x,A_y,A_z\n" + "".join(f"{k / 10},{k},0,0\n" for k in range(100))
+
+
+@pytest.fixture
+def clip(tmp_path):
+    path = tmp_path / "clip.csv"
+    path.write_text(TABLE)
+    return path
+
+
+def first_and_last(points):
+    return points.positions[0, 0, 0], points.positions[-1, 0, 0]
+
+
+@pytest.mark.parametrize(
+    ("window", "first", "last", "frames"),
+    [
+        ("[2s:5s]", 20, 49, (20, 50)), ("[20:50]", 20, 49, (20, 50)), ("[20:]", 20, 99, (20, 100)),
+        ("[:5s]", 0, 49, (0, 50)), ("[ 2.5 s : 50 ]", 25, 49, (25, 50)), ("[.5s:1e9s]", 5, 99, (5, 100)),
+        ("[90:1000]", 90, 99, (90, 100)), ("[:]", 0, 99, (0, 100)),
+    ],
+)  # fmt: skip
+def test_windows_in_frames_and_seconds(clip, window, first, last, frames):
+    if "1e9" in window:
+        window = window.replace("1e9", "1000000000")
+    reading = io.open_recording(f"{clip}{window}", unit="m", up="y")
+    assert first_and_last(reading.recordings[0]) == (first, last)
+    assert reading.window == frames
+    assert reading.path == clip
+
+
+@pytest.mark.parametrize(
+    ("window", "error", "match"),
+    [
+        ("[5s:2s]", DataError, "holds no frame of clip.csv, which has 100"),
+        ("[100:]", DataError, "holds no frame"),
+        ("[a:b]", ParameterError, r"seconds or frames such as \[12s:45s\]"),
+        ("[-5:7]", ParameterError, "seconds or frames"),
+    ],
+)
+def test_windows_that_hold_nothing(clip, window, error, match):
+    with pytest.raises(error, match=match):
+        io.read(f"{clip}{window}")
+
+
+def test_a_file_whose_name_ends_in_brackets_wins(clip):
+    odd = clip.with_name("clip.csv[2:5]")
+    odd.write_text(TABLE)
+    with pytest.raises(FormatError, match="no format known here"):
+        io.read(odd)  # its extension is ".csv[2:5]": the file was found, and not the window of the other
+    other = clip.with_name("take[1:3].csv")
+    other.write_text(TABLE)
+    assert len(io.read(other)) == 100
+    assert len(io.read(f"{other}[4:6]")) == 2
+
+
+@pytest.mark.parametrize(
+    ("name", "content", "match"),
+    [
+        ("a.bvh", b"", "a.bvh is empty"),
+        ("a.bvh", b" \n\n", "a.bvh is empty"),
+        ("a.bvh", b"<!DOCTYPE html><html><body>404</body></html>", "is a web page.*the file itself"),
+        ("a.bvh", bytes(range(256)) * 8, "expected the word HIERARCHY"),
+        ("a.amc", bytes(range(1, 256)) * 8, "skeleton"),
+        ("a.c3d", b"HIERARCHY\nROOT Hips\n" * 50, "mark 0x50"),
+        ("a.trc", b"\x00\x01\n" * 50, "PathFileType"),
+        ("a.csv", b"\x00\xff\xfe\n" * 50, "columns such as"),
+        ("a.npz", b"PK\x03\x04rubbish", "damaged"),
+        ("a.xyz", b"rubbish", r"ends in '.xyz'.*These are read: .*\.bvh"),
+        ("noext", b"rubbish", "has no extension"),
+        ("a.fbx", b"Kaydara", "FBX files are not read.*BVH"),
+        ("a.mat", b"MATLAB", "MATLAB files are not read"),
+        ("a.h5", b"\x89HDF", "HDF5 files are not read"),
+        ("a.npy", b"\x93NUMPY", "NumPy array files are not read"),
+        ("a.asf", b":version", "read the AMC that belongs to it"),
+        ("a.mp4", b"ftyp", "video files are not read"),
+    ],
+)
+def test_what_is_no_recording_is_one_sentence(tmp_path, name, content, match):
+    path = tmp_path / name
+    path.write_bytes(content)
+    with pytest.raises(FormatError, match=match) as caught:
+        io.read(path)
+    assert "\n" not in str(caught.value)
+
+
+def test_missing_files_suggest_near_names(clip):
+    with pytest.raises(FormatError, match=r"There is no file .*clop\.csv\. Did you mean clip\.csv\?"):
+        io.read(clip.with_name("clop.csv"))
+    with pytest.raises(FormatError, match=r"Did you mean clip\.csv\?"):
+        io.read(clip.with_name("clip.bvh"))
+    with pytest.raises(FormatError, match="no folder"):
+        io.read(clip.parent / "nowhere" / "clip.csv")
+    with pytest.raises(FormatError, match="is a folder"):
+        io.read(clip.parent)
+
+
+@pytest.mark.skipif(os.name != "posix" or os.geteuid() == 0, reason="permissions bind only an ordinary user")
+def test_a_file_without_permission(clip):
+    clip.chmod(0)
+    with pytest.raises(FormatError, match="may not be read"):
+        io.read(clip)
+
+
+def test_a_format_is_told_by_content_where_the_extension_tells_nothing(tmp_path):
+    path = tmp_path / "clip.txt"
+    path.write_text(
+        "HIERARCHY\nROOT a\n{\nOFFSET 0 0 0\nCHANNELS 3 Zrotation Xrotation Yrotation\nEnd Site\n{\nOFFSET 0 1 0\n}\n}\n"
+        "MOTION\nFrames: 1\nFrame Time: 0.01\n0 0 0\n"
+    )
+    assert io.read(path, unit="m").skeleton.names == ("a",)
+
+
+def test_every_extension_of_the_table_is_read_or_has_a_remedy():
+    for extension, form in io.EXTENSIONS.items():
+        assert extension == extension.lower()
+        assert extension.startswith(".")
+        assert form.module or form.remedy
+
+
+@pytest.mark.parametrize("unit", [*METRES, 0.5, "0.5", "Millimeters"])
+def test_a_unit_given_scales(clip, unit):
+    metres = {"Millimeters": 0.001}.get(unit) or METRES.get(unit) or float(unit)
+    reading = io.open_recording(clip, unit=unit, up="y")
+    assert reading.recordings[0].positions[1, 0, 0] == pytest.approx(metres)
+    assert reading.findings["unit"].how == "given"
+
+
+@pytest.mark.parametrize(
+    ("options", "match"),
+    [
+        ({"unit": "furlong"}, "unit must be one of"), ({"unit": -1}, "positive"), ({"up": "w"}, "up must be one of"),
+        ({"rate": 0}, "rate must be a positive"), ({"rate": float("nan")}, "rate must be a positive"),
+    ],
+)  # fmt: skip
+def test_options_are_checked(clip, options, match):
+    with pytest.raises(ParameterError, match=match):
+        io.read(clip, **options)
+
+
+@pytest.mark.parametrize("up", ["x", "y", "z", "-x", "-y", "-z", "+z", "Z"])
+def test_every_vertical_comes_up_by_a_proper_turn(tmp_path, up):
+    path = tmp_path / "axes.csv"
+    axis = "xyz".index(up[-1].lower())
+    vertical = np.zeros(3)
+    vertical[axis] = -1 if up[0] == "-" else 1
+    points = np.vstack([vertical, np.eye(3)])
+    path.write_text("time,A_x,A_y,A_z,B_x,B_y,B_z,C_x,C_y,C_z,D_x,D_y,D_z\n" + "\n".join(
+        f"{k}," + ",".join(map(str, points.ravel())) for k in range(2)) + "\n")  # fmt: skip
+    placed = io.read(path, up=up, unit="m").positions[0]
+    np.testing.assert_allclose(placed[0], [0, 1, 0])
+    assert np.linalg.det(placed[1:]) == pytest.approx(1)
+
+
+def test_people_are_chosen_by_name_or_number(tmp_path):
+    path = tmp_path / "two.csv"
+    path.write_text("time,Ann:A_x,Ann:A_y,Ann:A_z,Bob:A_x,Bob:A_y,Bob:A_z\n0,1,1,1,2,2,2\n1,1,1,1,2,2,2\n")
+    options = {"unit": "m", "up": "y"}
+    assert io.read(path, person="Bob", **options) == io.read(path, person=2, **options)
+    assert io.read(path, person="Bob", **options).name == "two:Bob"
+    assert [p.name for p in io.read_all(path, **options)] == ["two:Ann", "two:Bob"]
+    with pytest.raises(DataError, match="no person 'Eve'; it holds Ann, Bob"):
+        io.read(path, person="Eve")
+    with pytest.raises(DataError, match="no person 3"):
+        io.read(path, person=3)
+
+
+# --- files
+
+
+def test_a_file_is_written_whole_or_not_at_all(tmp_path, monkeypatch):
+    path = tmp_path / "folder" / "out.txt"
+    assert write_whole(path, "first\r\nline") == path
+    assert path.read_bytes() == b"first\r\nline"
+
+    def full(*_):
+        raise OSError(28, "No space left on device")
+
+    monkeypatch.setattr(os, "fsync", full)
+    with pytest.raises(FormatError, match="cannot be written: No space left on device"):
+        write_whole(path, "second")
+    monkeypatch.setattr(os, "fsync", lambda _: (_ for _ in ()).throw(KeyboardInterrupt))
+    with pytest.raises(KeyboardInterrupt):
+        write_whole(path, "third")
+    monkeypatch.undo()
+    assert path.read_bytes() == b"first\r\nline"
+    assert [p.name for p in path.parent.iterdir()] == ["out.txt"]
+
+
+def test_a_folder_cannot_be_written_over(tmp_path):
+    with pytest.raises(FormatError, match="cannot be written"):
+        write_whole(tmp_path, b"x")
+
+
+# --- fuzzing
+
+
+@pytest.mark.data
+@pytest.mark.parametrize(
+    "name",
+    [
+        "cmu_bvh/jumping_jacks.bvh",
+        "btk/pc_int.c3d",
+        "btk/T.trc",
+        "cmu_amc/02_03.amc",
+        "ground_guide/terri_stop_001.csv",
+    ],
+)
+def test_mutated_files_give_a_recording_or_a_sentence(data, tmp_path, name, rng):
+    content = (data / name).read_bytes()[:60_000]
+    path = tmp_path / ("clip" + name[-4:])
+    options = {"skeleton": data / "cmu_amc" / "02.asf"} if name.endswith("amc") else {}
+    before = threading.active_count()
+    for _ in range(60):
+        changed = bytearray(content)
+        for _ in range(rng.integers(1, 8)):
+            start = int(rng.integers(0, len(changed)) * rng.choice([0.02, 1.0]))
+            kind = rng.integers(0, 4)
+            if kind == 0:
+                changed[start : start + int(rng.integers(1, 40))] = b""
+            elif kind == 1:
+                changed[start] = int(rng.integers(0, 256))
+            elif kind == 2:
+                changed[start:start] = rng.choice(
+                    [b"nan", b"\n", b"-", b"9" * 30, b"}", b"{", b"1e999", b"\x00", b"\t"]
+                )
+            else:
+                del changed[start + 200 :]
+                break
+        path.write_bytes(bytes(changed))
+        try:
+            assert io.open_recording(path, rate=30, **options).recordings
+        except LeitmotionError as error:
+            assert str(error)
+    assert threading.active_count() == before
