@@ -153,3 +153,13 @@ def test_the_group_is_a_click_group_for_documentation() -> None:
     with click.Context(main) as context:
         assert main.list_commands(context) == list(VERBS)
         assert main.get_command(context, "nothing") is None
+
+
+def test_the_methods_on_offer_are_those_of_the_library() -> None:
+    from leitmotion.discovery import METHODS
+
+    for verb in ("patterns", "report", "demo"):
+        command = main.get_command(click.Context(main), verb)
+        assert command is not None
+        (method,) = [parameter for parameter in command.params if parameter.name == "method"]
+        assert tuple(method.type.choices) == METHODS  # type: ignore[attr-defined]

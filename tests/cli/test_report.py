@@ -6,13 +6,13 @@ from pathlib import Path
 import pytest
 
 from cli.conftest import Run
-from leitmotion.cli import demo, outputs
+from leitmotion.cli import demo, pages
 
 PAGE_OF_SOMEBODY = "<!doctype html><title>My thesis</title>"
 
 
 def is_page(path: Path) -> bool:
-    return outputs.OURS in path.read_bytes()[:4096]
+    return pages.is_ours(path)
 
 
 def test_the_page_has_the_name_of_the_recording_in_the_current_folder(run: Run, made: Path) -> None:
@@ -101,15 +101,15 @@ def test_labels_belong_to_one_recording(run: Run, made: Path) -> None:
 def test_the_browser_opens_where_there_is_a_screen(
     run: Run, made: Path, monkeypatch: pytest.MonkeyPatch, screen: str, opened: int
 ) -> None:
-    pages: list[str] = []
-    monkeypatch.setattr("webbrowser.open", lambda url: pages.append(url) or True)
+    opened_pages: list[str] = []
+    monkeypatch.setattr("webbrowser.open", lambda url: opened_pages.append(url) or True)
     monkeypatch.setattr("sys.platform", "linux")
     for name in ("WAYLAND_DISPLAY", "WSL_DISTRO_NAME"):
         monkeypatch.delenv(name, raising=False)
     monkeypatch.setenv("DISPLAY", screen)
     told = run("report", made / "jacks.bvh", "--open")
     assert told.exit_code == 0
-    assert len(pages) == opened
+    assert len(opened_pages) == opened
     assert ("no screen" in told.stderr) is not bool(opened)
 
 

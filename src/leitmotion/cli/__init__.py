@@ -1,8 +1,12 @@
 """What a person types at a shell: ``leitmotion VERB INPUT… [-o OUT] [--json]``, one verb a file.
 
-Every verb loads, calls the façade once, and saves or prints. What verbs share: :mod:`inputs` (which recordings an
-argument means), :mod:`options` (the options that every verb takes), :mod:`documents` (the JSON contract),
-:mod:`batch` (one input after another, the failures in their place), :mod:`progress` and :mod:`outputs`.
+Every verb loads, calls the façade, and saves or prints. What verbs share, in the order in which it is used:
+
+- :mod:`program`, the verbs and the exit statuses; :mod:`options`, what every verb takes;
+- :mod:`inputs`, which recordings an argument means; :mod:`batch`, one after another, the failures in their place;
+- :mod:`recordings`, what an input holds; :mod:`finding`, what recurs in it; :mod:`progress`, what is going on;
+- :mod:`documents`, the JSON contract; :mod:`printing`, for a person; :mod:`outputs` and :mod:`pages`, into files;
+- :mod:`failures`, what went wrong.
 """
 
 from leitmotion.cli.program import main

@@ -35,7 +35,7 @@ class Answer:
         Prints it for a person.
     parameters : mapping
         What was looked for, and how.
-    warnings : list of str
+    warnings : sequence of str
         What the person should know about the input.
     """
 
@@ -43,7 +43,7 @@ class Answer:
     result: Document
     show: Callable[[Console], None]
     parameters: Mapping[str, object] = field(default_factory=dict)
-    warnings: list[str] = field(default_factory=list)
+    warnings: Sequence[str] = ()
 
 
 @dataclass(frozen=True)

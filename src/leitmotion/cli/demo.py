@@ -9,13 +9,14 @@ import click
 
 from leitmotion.cli.batch import Answer, answer_each, finish
 from leitmotion.cli.documents import patterns_result
+from leitmotion.cli.finding import search, show_patterns
 from leitmotion.cli.inputs import Input
 from leitmotion.cli.options import Options, common, examples, force, output
-from leitmotion.cli.outputs import check_output, open_page
-from leitmotion.cli.patterns import search, show_patterns
+from leitmotion.cli.outputs import check_output
+from leitmotion.cli.pages import open_page, write_page
 from leitmotion.cli.printing import answer_console, print_table
-from leitmotion.cli.progress import Progress, compiling_noted
-from leitmotion.cli.recordings import open_one
+from leitmotion.cli.progress import Progress
+from leitmotion.cli.recordings import Opened, open_one
 
 if TYPE_CHECKING:
     from rich.console import Console
@@ -24,7 +25,6 @@ if TYPE_CHECKING:
     from leitmotion.datasets import Session
 
 PAGE = Path("leitmotion-demo.html")
-STILL = "still"
 
 
 @click.command(epilog=examples("leitmotion demo", "leitmotion demo --data dance.bvh"))
@@ -76,6 +76,8 @@ def compare(session: Session, found: Patterns) -> list[Row]:
     list of Row
         One per action that is not stillness; its pattern is the one that covers most of it, if that is over half.
     """
+    from leitmotion.datasets import STILL
+
     rows = []
     rate = session.motion.rate
     for start, stop, action, _ in session.stretches:
@@ -96,25 +98,17 @@ def _shared(pattern: Pattern, start: int, stop: int) -> int:
 
 
 def _practice(page: Path, options: Options) -> None:
-    from leitmotion.api import compose_session, find_patterns
-    from leitmotion.api import report as write_report
+    from leitmotion.api import compose_session, embody
 
     with Progress(1, quiet=options.quiet) as progress:
         progress.say("Composing the practice session")
         session = compose_session()
-        progress.say("Looking for what recurs")
-        with compiling_noted(progress):
-            found = find_patterns(session.motion, **options.searching)
-            progress.say(f"Writing {page}")
-            write_report(
-                session.motion,
-                page,
-                patterns=found,
-                labels=session.stretches,
-                labels_from="the composition",
-                joints=options.joints,
-                exclude=options.exclude,
-            )
+        body = embody(session.motion)
+        found = search(body, options, progress)
+        opened = Opened(session.motion, body, source=[])
+        write_page(
+            page, opened, found, options, progress, labels=session.stretches, labels_from="the composition"
+        )
     if options.quiet:
         return
     console = answer_console()
@@ -148,19 +142,9 @@ def _show_truth(console: Console, rows: list[Row]) -> None:
 
 def _recording(data: str, page: Path, options: Options) -> None:
     def look(given: Input, progress: Progress) -> Answer:
-        from leitmotion.api import report as write_report
-
         opened = open_one(given, options, progress)
-        found = search(opened, options, progress)
-        progress.say(f"Writing {page}")
-        write_report(
-            opened.body,
-            page,
-            patterns=found,
-            source=opened.source[0],
-            joints=options.joints,
-            exclude=options.exclude,
-        )
+        found = search(opened.body, options, progress)
+        write_page(page, opened, found, options, progress)
         return Answer(
             source=opened.source,
             result=patterns_result(found),

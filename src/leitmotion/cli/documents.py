@@ -17,7 +17,7 @@ from __future__ import annotations
 import dataclasses
 import json
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -45,7 +45,7 @@ def answer_document(
     source: list[Document],
     *,
     parameters: Mapping[str, object],
-    warnings: list[str],
+    warnings: Sequence[str],
     result: Document,
 ) -> Document:
     """Make the document of an input that was answered."""

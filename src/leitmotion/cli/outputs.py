@@ -5,8 +5,6 @@ from __future__ import annotations
 import csv
 import io as streams
 import json
-import os
-import sys
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -15,12 +13,10 @@ import click
 
 from leitmotion.cli.documents import Document
 from leitmotion.cli.inputs import Input
+from leitmotion.cli.pages import is_ours
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
-
-OURS = b'name="generator" content="Leitmotion'
-"""Stands near the start of every page that Leitmotion writes."""
 
 Rows = Callable[[Document], Iterable[Mapping[str, object]]]
 
@@ -52,7 +48,7 @@ def check_output(path: Path, inputs: Sequence[Input], *, endings: Sequence[str],
         return
     if any(given.path.exists() and path.samefile(given.path) for given in inputs):
         raise click.UsageError(f"{path} is an input, and inputs are never written over.")
-    if path.suffix.lower() == ".html" and not force and not _is_ours(path):
+    if path.suffix.lower() == ".html" and not force and not is_ours(path):
         raise click.UsageError(f"{path} exists, and Leitmotion did not write it. Replace it with --force.")
 
 
@@ -87,34 +83,6 @@ def write_figure(path: Path, figure: Figure) -> None:
     picture = streams.BytesIO()
     figure.savefig(picture, format=path.suffix.lower().removeprefix("."), dpi=200)
     write_whole(path, picture.getvalue())
-
-
-def open_page(page: Path) -> bool:
-    """Show a page in the browser, when this machine has a screen.
-
-    Parameters
-    ----------
-    page : Path
-        An HTML file.
-
-    Returns
-    -------
-    bool
-        Whether a browser was asked to.
-    """
-    screen = sys.platform in ("win32", "darwin") or any(
-        os.environ.get(name) for name in ("DISPLAY", "WAYLAND_DISPLAY", "WSL_DISTRO_NAME")
-    )
-    if not screen:
-        return False
-    import webbrowser
-
-    return webbrowser.open(page.resolve().as_uri())
-
-
-def _is_ours(path: Path) -> bool:
-    with path.open("rb") as file:
-        return OURS in file.read(4096)
 
 
 def _table(columns: Sequence[str], rows: Iterable[Mapping[str, Any]]) -> str:

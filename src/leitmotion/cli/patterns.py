@@ -10,16 +10,15 @@ import click
 
 from leitmotion.cli.batch import Answer, answer_each, finish
 from leitmotion.cli.documents import Document, patterns_result
+from leitmotion.cli.finding import search, show_patterns
 from leitmotion.cli.inputs import Input
 from leitmotion.cli.options import Options, as_json, common, examples, force, output
 from leitmotion.cli.outputs import check_output, write_documents, write_figure
-from leitmotion.cli.printing import print_table
-from leitmotion.cli.progress import Progress, compiling_noted
+from leitmotion.cli.pages import write_page
+from leitmotion.cli.progress import Progress
 from leitmotion.cli.recordings import Opened, open_one
 
 if TYPE_CHECKING:
-    from rich.console import Console
-
     from leitmotion.api import Patterns
 
 TABLES = (".json", ".csv")
@@ -52,15 +51,14 @@ def patterns(inputs: tuple[str, ...], options: Options) -> None:
 
     def look(given: Input, progress: Progress) -> Answer:
         opened = open_one(given, options, progress)
-        found = search(opened, options, progress)
+        found = search(opened.body, options, progress)
         if options.output is not None and options.output.suffix.lower() in OF_ONE:
-            progress.say(f"Writing {options.output}")
-            _write_one(options.output, opened, found, options)
+            _write_one(options.output, opened, found, options, progress)
         return Answer(
             source=opened.source,
             result=patterns_result(found),
             show=lambda console: show_patterns(console, found, seconds=opened.source[0]["seconds"]),
-            parameters=found.parameters | opened.parameters,
+            parameters={**found.parameters, **opened.parameters},
             warnings=opened.warnings,
         )
 
@@ -80,74 +78,16 @@ def patterns(inputs: tuple[str, ...], options: Options) -> None:
     finish(outcome)
 
 
-def search(opened: Opened, options: Options, progress: Progress) -> Patterns:
-    """Find what recurs in a recording that is open, telling what goes on."""
-    from leitmotion.api import find_patterns
-
-    progress.say(f"Looking for what recurs in {opened.recording.name}")
-    with compiling_noted(progress):
-        return find_patterns(opened.body, **options.searching)
-
-
-def show_patterns(console: Console, found: Patterns, *, seconds: float) -> None:
-    """Print what recurs: the answer in a sentence, then a row for each pattern.
-
-    Parameters
-    ----------
-    console : Console
-        Where to print.
-    found : Patterns
-        What recurs.
-    seconds : float
-        Length of the recording.
-    """
-    from leitmotion.view.words import clock, lead, looked_for, title
-
-    pieces = lead(found, seconds)
-    console.print(f"{title(found)}.", style="bold")
-    console.print("".join(piece if isinstance(piece, str) else piece.id for piece in pieces))
-    if not found.patterns:
-        if found.nearest_miss:
-            console.print(found.nearest_miss)
-        console.print(looked_for(found), style="dim")
-        return
-    console.print()
-    print_table(
-        console,
-        ("", "kind", ">stretches", ">cycles", ">each", ">confidence", "from and to"),
-        [
-            (
-                pattern.id,
-                pattern.kind,
-                str(len(pattern.stretches)),
-                str(pattern.cycles) if pattern.cycles else "",
-                f"{pattern.period_s:.2f} s",
-                f"{pattern.confidence:.2f}",
-                ", ".join(
-                    f"{clock(start / found.rate)}–{clock(stop / found.rate)}"
-                    for start, stop, _, _ in pattern.stretches
-                ),
-            )
-            for pattern in found.patterns
-        ],
-    )
-
-
-def _write_one(path: Path, opened: Opened, found: Patterns, options: Options) -> None:
-    from leitmotion.api import report, save
-
+def _write_one(path: Path, opened: Opened, found: Patterns, options: Options, progress: Progress) -> None:
     ending = path.suffix.lower()
+    if ending == ".html":
+        write_page(path, opened, found, options, progress)
+        return
+    progress.say(f"Writing {path.name}")
     if ending == ".npz":
+        from leitmotion.api import save
+
         save(found, path)
-    elif ending == ".html":
-        report(
-            opened.body,
-            path,
-            patterns=found,
-            source=opened.source[0],
-            joints=options.joints,
-            exclude=options.exclude,
-        )
     else:
         from leitmotion.view import plot_patterns
 

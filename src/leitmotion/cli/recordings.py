@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
+from types import MappingProxyType
 from typing import TYPE_CHECKING, NamedTuple
 
 from leitmotion.cli.documents import Document, reading_parameters, source_entry
@@ -19,9 +21,9 @@ class Opened(NamedTuple):
     recording: Motion | Trajectories
     body: Body
     source: list[Document]
-    first_frame: int
-    parameters: dict[str, object]
-    warnings: list[str]
+    first_frame: int = 0
+    parameters: Mapping[str, object] = MappingProxyType({})
+    warnings: Sequence[str] = ()
 
 
 def open_one(given: Input, options: Options, progress: Progress) -> Opened:
@@ -66,5 +68,5 @@ def open_one(given: Input, options: Options, progress: Progress) -> Opened:
         source=[source_entry(given, frames=len(recording), rate=recording.rate)],
         first_frame=0 if reading.window is None else reading.window[0],
         parameters=reading_parameters(options.reading, reading.window),
-        warnings=list(reading.warnings),
+        warnings=reading.warnings,
     )

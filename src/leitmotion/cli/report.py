@@ -11,10 +11,11 @@ import click
 
 from leitmotion.cli.batch import Answer, answer_each, finish
 from leitmotion.cli.documents import patterns_result
+from leitmotion.cli.finding import search
 from leitmotion.cli.inputs import Input
 from leitmotion.cli.options import Options, as_json, common, examples, force, output
-from leitmotion.cli.outputs import check_output, open_page
-from leitmotion.cli.patterns import search
+from leitmotion.cli.outputs import check_output
+from leitmotion.cli.pages import open_page, write_page
 from leitmotion.cli.progress import Progress
 from leitmotion.cli.recordings import Opened, open_one
 
@@ -63,22 +64,19 @@ def report(
             check_output(page, given, endings=(".html",), force=options.force)
 
     def look(given: Input, progress: Progress) -> Answer:
-        from leitmotion.api import report as write_report
         from leitmotion.view.words import title
 
         opened = open_one(given, options, progress)
-        found = search(opened, options, progress)
+        found = search(opened.body, options, progress)
         page = pages[given.shown]
-        progress.say(f"Writing {page}")
-        write_report(
-            opened.body,
+        write_page(
             page,
+            opened,
+            found,
+            options,
+            progress,
             labels=None if labels is None else _read_labels(labels, opened),
             labels_from="" if labels is None else labels.name,
-            patterns=found,
-            source=opened.source[0],
-            joints=options.joints,
-            exclude=options.exclude,
         )
         if open_it and not open_page(page):
             progress.note("There is no screen here to open the page on.")
@@ -86,7 +84,7 @@ def report(
             source=opened.source,
             result=patterns_result(found) | {"written": str(page)},
             show=lambda console: console.print(f"{title(found)}. Open {page}"),
-            parameters=found.parameters | opened.parameters,
+            parameters={**found.parameters, **opened.parameters},
             warnings=opened.warnings,
         )
 

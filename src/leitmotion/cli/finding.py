@@ -1,0 +1,81 @@
+"""What recurs in a recording that is open: searched, and printed for a person."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from leitmotion.cli.options import Options
+from leitmotion.cli.printing import print_table
+from leitmotion.cli.progress import Progress, compiling_noted
+
+if TYPE_CHECKING:
+    from rich.console import Console
+
+    from leitmotion.api import Body, Patterns
+
+
+def search(body: Body, options: Options, progress: Progress) -> Patterns:
+    """Find what recurs, telling what goes on.
+
+    Parameters
+    ----------
+    body : Body
+        The person.
+    options : Options
+        How to search.
+    progress : Progress
+        Told what is being done.
+
+    Returns
+    -------
+    Patterns
+        What recurs.
+    """
+    from leitmotion.api import find_patterns
+
+    progress.say(f"Looking for what recurs in {body.name}")
+    with compiling_noted(progress):
+        return find_patterns(body, **options.searching)
+
+
+def show_patterns(console: Console, found: Patterns, *, seconds: float) -> None:
+    """Print what recurs: the answer in a sentence, then a row for each pattern.
+
+    Parameters
+    ----------
+    console : Console
+        Where to print.
+    found : Patterns
+        What recurs.
+    seconds : float
+        Length of the recording.
+    """
+    from leitmotion.view.words import clock, lead, looked_for, title
+
+    console.print(f"{title(found)}.", style="bold")
+    console.print("".join(piece if isinstance(piece, str) else piece.id for piece in lead(found, seconds)))
+    if not found.patterns:
+        if found.nearest_miss:
+            console.print(found.nearest_miss)
+        console.print(looked_for(found), style="dim")
+        return
+    console.print()
+    print_table(
+        console,
+        ("", "kind", ">stretches", ">cycles", ">each", ">confidence", "from and to"),
+        [
+            (
+                pattern.id,
+                pattern.kind,
+                str(len(pattern.stretches)),
+                str(pattern.cycles) if pattern.cycles else "",
+                f"{pattern.period_s:.2f} s",
+                f"{pattern.confidence:.2f}",
+                ", ".join(
+                    f"{clock(start / found.rate)}–{clock(stop / found.rate)}"
+                    for start, stop, _, _ in pattern.stretches
+                ),
+            )
+            for pattern in found.patterns
+        ],
+    )

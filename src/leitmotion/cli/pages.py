@@ -1,0 +1,91 @@
+"""The page of a recording: written, recognised as ours, and opened in the browser."""
+
+from __future__ import annotations
+
+import os
+import sys
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from leitmotion.cli.options import Options
+from leitmotion.cli.progress import Progress
+
+if TYPE_CHECKING:
+    from leitmotion.api import Patterns, Segmentation
+    from leitmotion.cli.recordings import Opened
+
+OURS = b'name="generator" content="Leitmotion'
+"""Stands near the start of every page that Leitmotion writes."""
+
+
+def write_page(
+    page: Path,
+    opened: Opened,
+    found: Patterns,
+    options: Options,
+    progress: Progress,
+    *,
+    labels: Segmentation | None = None,
+    labels_from: str = "",
+) -> None:
+    """Write the page that shows what recurs in a recording.
+
+    Parameters
+    ----------
+    page : Path
+        The file.
+    opened : Opened
+        The recording.
+    found : Patterns
+        What recurs in it.
+    options : Options
+        Which joints were compared.
+    progress : Progress
+        Told what is being done.
+    labels : Segmentation, optional
+        Labels from elsewhere.
+    labels_from : str
+        Where they are from.
+    """
+    from leitmotion.api import report
+
+    progress.say(f"Writing {page.name}")
+    report(
+        opened.body,
+        page,
+        labels=labels,
+        labels_from=labels_from,
+        patterns=found,
+        source=opened.source[0] if opened.source else None,
+        joints=options.joints,
+        exclude=options.exclude,
+    )
+
+
+def is_ours(path: Path) -> bool:
+    """Tell whether Leitmotion wrote a page."""
+    with path.open("rb") as file:
+        return OURS in file.read(4096)
+
+
+def open_page(page: Path) -> bool:
+    """Show a page in the browser, when this machine has a screen.
+
+    Parameters
+    ----------
+    page : Path
+        An HTML file.
+
+    Returns
+    -------
+    bool
+        Whether a browser was asked to.
+    """
+    screen = sys.platform in ("win32", "darwin") or any(
+        os.environ.get(name) for name in ("DISPLAY", "WAYLAND_DISPLAY", "WSL_DISTRO_NAME")
+    )
+    if not screen:
+        return False
+    import webbrowser
+
+    return webbrowser.open(page.resolve().as_uri())
