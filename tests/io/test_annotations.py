@@ -50,8 +50,8 @@ def read(tmp_path, name, text, **options):
         ("a.json", '[{"start": 0, "stop": 60, "label": "walk"}, {"start": 60, "stop": 180, "label": "punch"}]'),
         ("a.json", '{"segments": [{"start_s": 0, "stop_s": 0.5, "label": "walk"}, '
                    '{"start_s": 0.5, "stop_s": 1.5, "label": "punch"}]}'),
-        ("a.json", '{"verb": "segment", "result": {"segments": [{"start": 0, "stop": 60, "label": "walk", "score": null}, '
-                   '{"start": 60, "stop": 180, "label": "punch", "score": null}]}}'),
+        ("a.json", '{"verb": "segment", "result": {"segments": [{"start": 0, "stop": 60, "label": "walk", '
+                   '"score": null}, {"start": 60, "stop": 180, "label": "punch", "score": null}]}}'),
     ],
 )  # fmt: skip
 def test_spellings_of_one_annotation(tmp_path, name, text):

@@ -1,5 +1,6 @@
 """The archive: loading what was saved is the identity for every noun of the house."""
 
+import contextlib
 import dataclasses
 import importlib
 import io as bytes_io
@@ -41,8 +42,8 @@ def samples():
     pattern = Pattern("A", "cyclic", spans, Segmentation([0], [9], rate=120), 0.03, 0.1, 0.9, "because")
     pair = PatternPair("A", [[0, 3], [1, 4]], 0.1)
     yield from (skeleton, motion, markers, flat, spans, empty, pattern, pair)
-    parameters = {"method": "recurrence", "roles": ("pelvis", "head"), "bounds": [1, 2.5, None], "n": {"a": True},
-                  "nan": float("nan"), "weights": np.arange(3.0), "inf": float("-inf"), "count": np.int64(3)}  # fmt: skip
+    parameters = {"method": "recurrence", "roles": ("pelvis", "head"), "bounds": [1, 2.5, None], "d": {"a": True},
+                  "nan": float("nan"), "weights": np.arange(3.0), "inf": float("-inf"), "n": np.int64(3)}  # fmt: skip
     yield Patterns((pattern,), (pair,), 120, parameters, "near")
     yield Patterns((), (), 30, {}, "")
     yield BodyMap(("pelvis", "head"), (("a",), ("b b", "ü")), [1.0, 0.5])
@@ -168,7 +169,7 @@ def test_foreign_and_damaged_files_are_one_sentence(tmp_path, rng):
     with pytest.raises(FormatError, match="without Leitmotion's header: it holds poses"):
         io.load(path)
     np.savez(path, header=np.array([{"pickle": 1}], dtype=object))
-    with pytest.raises(FormatError, match="pickle|damaged"):
+    with pytest.raises(FormatError, match="damaged"):
         io.load(path)
     for cut in rng.integers(1, len(content) - 1, 20):
         path.write_bytes(content[:cut])
@@ -176,10 +177,8 @@ def test_foreign_and_damaged_files_are_one_sentence(tmp_path, rng):
             io.load(path)
     for place in rng.integers(0, len(content), 60):
         path.write_bytes(content[:place] + bytes([content[place] ^ 0x5A]) + content[place + 1 :])
-        try:
+        with contextlib.suppress(FormatError):
             io.load(path)
-        except FormatError:
-            pass
 
 
 def test_the_version_is_in_the_file(tmp_path):

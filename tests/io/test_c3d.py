@@ -139,7 +139,7 @@ def test_a_point_exactly_in_the_origin_is_unseen(tmp_path, walk):
     walk[2, 3] = 0
     reading = io.open_recording(put(tmp_path, c3d_bytes(walk, LABELS)))
     assert np.isnan(reading.recordings[0].positions[2, 3]).all()
-    assert any("1 points lie exactly in the origin" in warning for warning in reading.warnings)
+    assert any("1 places lie exactly in the origin" in warning for warning in reading.warnings)
 
 
 def test_without_unit_and_screen_both_are_judged(tmp_path, rng):

@@ -10,7 +10,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from leitmotion.io.people import distinct
+from leitmotion.io.points import distinct
 from leitmotion.io.reading import Source
 
 _CHANNEL = re.compile(r"([xyz])(position|rotation)$", re.IGNORECASE)

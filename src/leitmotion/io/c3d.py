@@ -16,7 +16,7 @@ import re
 import numpy as np
 
 from leitmotion.io.c3d_parameters import BLOCK, DEC, Header, read_header
-from leitmotion.io.people import distinct, split_people
+from leitmotion.io.points import distinct, split_people, unseen_in_origin
 from leitmotion.io.reading import Draft, Finding, Source
 from leitmotion.io.units import unit_named
 
@@ -89,17 +89,7 @@ def _positions(source: Source, header: Header, warnings: list[str]) -> np.ndarra
     unseen = quads[..., 3] < 0
     if unseen.any():
         positions[unseen] = np.nan
-    return _without_nowhere(positions, warnings)
-
-
-def _without_nowhere(positions: np.ndarray, warnings: list[str]) -> np.ndarray:
-    """Mark as unseen what lies exactly in the origin, or nowhere: a marker cannot."""
-    nowhere = ~positions.any(axis=-1) | np.isinf(positions).any(axis=-1)
-    count = int(nowhere.sum())
-    if count:
-        positions[nowhere] = np.nan
-        warnings.append(f"{count} points lie exactly in the origin or at infinity and were taken as unseen.")
-    return positions
+    return unseen_in_origin(positions, warnings)
 
 
 def _frames(header: Header, fit: int, warnings: list[str]) -> int:

@@ -16,7 +16,7 @@ from dataclasses import replace
 import numpy as np
 
 from leitmotion.io.numerals import read_rows
-from leitmotion.io.people import split_people
+from leitmotion.io.points import split_people
 from leitmotion.io.reading import Draft, Finding, Source
 from leitmotion.io.timing import rate_of_times
 

@@ -12,7 +12,7 @@ import re
 import numpy as np
 
 from leitmotion.io.numerals import read_rows
-from leitmotion.io.people import distinct, split_people
+from leitmotion.io.points import distinct, split_people, unseen_in_origin
 from leitmotion.io.reading import Draft, Finding, Source
 from leitmotion.io.timing import rate_of_times
 from leitmotion.io.units import unit_named
@@ -73,6 +73,7 @@ def read(source: Source) -> Draft:
         values, names = values[:, seen], [name for name, here in zip(names, seen) if here]
     _check_count(facts.get("numframes"), len(values), "frames", warnings)
     positions = np.where(np.isfinite(values).all(axis=-1, keepdims=True), values, np.nan)
+    unseen_in_origin(positions, warnings)
     unit = unit_named(facts.get("units", ""))
     return Draft(
         split_people(distinct(names, warnings), positions),

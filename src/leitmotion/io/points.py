@@ -1,4 +1,4 @@
-"""Names of points: whose they are, and how each stays one of a kind."""
+"""Points: whose they are, how each keeps a name of its own, and which are not there."""
 
 from __future__ import annotations
 
@@ -72,3 +72,26 @@ def distinct(names: list[str], warnings: list[str]) -> list[str]:
     if doubled:
         warnings.append(f"Names stand more than once and were numbered: {', '.join(doubled)}.")
     return made
+
+
+def unseen_in_origin(positions: np.ndarray, warnings: list[str]) -> np.ndarray:
+    """Mark as unseen what lies exactly in the origin, or nowhere: no marker on a person does.
+
+    Parameters
+    ----------
+    positions : (T, P, C) float
+        Changed in place.
+    warnings : list of str
+        Gains a sentence with the count.
+
+    Returns
+    -------
+    (T, P, C) float
+        The same array.
+    """
+    nowhere = ~positions.any(axis=-1) | np.isinf(positions).any(axis=-1)
+    count = int(nowhere.sum())
+    if count:
+        positions[nowhere] = np.nan
+        warnings.append(f"{count} places lie exactly in the origin or at infinity and were taken as unseen.")
+    return positions
