@@ -37,3 +37,9 @@ function tellSymmetry() {
   showTip($("tab-symmetry"), note);
   setTimeout(() => showTip(null), 2400);
 }
+
+// A button pressed by the pointer gives the keys back to the page, so that space plays on.
+document.addEventListener("click", (event) => {
+  const button = event.target.closest("button");
+  if (event.detail && button && document.activeElement === button && !button.closest(".sheet")) button.blur();
+});
