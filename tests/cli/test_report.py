@@ -55,6 +55,16 @@ def test_our_own_page_is_replaced_and_somebody_elses_is_not(run: Run, made: Path
     assert is_page(Path("jacks.html"))
 
 
+@pytest.mark.parametrize(("name", "count"), [("page.txt", 1), ("taken", 1), ("taken.html", 2)])
+def test_o_is_a_page_or_a_folder_and_nothing_else(run: Run, made: Path, name: str, count: int) -> None:
+    for taken in ("taken", "taken.html"):
+        Path(taken).write_text("mine", encoding="utf-8")
+    told = run("report", *[made / "jacks.bvh", made / "once.bvh"][:count], "-o", name)
+    assert told.exit_code == 2
+    assert ".html" in told.stderr
+    assert Path("taken").read_text(encoding="utf-8") == "mine"
+
+
 def test_a_failure_leaves_the_page_that_was_there(
     run: Run, made: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -112,7 +112,7 @@ def _pages(inputs: Sequence[Input], output: Path | None) -> dict[str, Path]:
     if output is not None and len(inputs) == 1 and output.suffix and not output.is_dir():
         return {inputs[0].shown: output}
     if output is not None and output.exists() and not output.is_dir():
-        raise click.UsageError(f"{output} is a file, but {len(inputs)} pages need a folder.")
+        raise click.UsageError(f"{output} is neither a folder nor a file that ends in .html.")
     pages: dict[str, Path] = {}
     for given in inputs:
         names = itertools.chain((given.name,), (f"{given.name}-{count}" for count in itertools.count(2)))
