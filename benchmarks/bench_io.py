@@ -1,0 +1,117 @@
+"""Reading: AMC, BVH, C3D and the archive, beside the public readers that are installed.
+
+Recordings come from the data folder (``LEITMOTION_DATA``, else ``../shared/data``): CMU trial 01_01 as AMC and as BVH,
+and a trial of pyCGM as C3D. Without them there is nothing to measure.
+"""
+
+from __future__ import annotations
+
+import importlib
+import importlib.util
+import os
+import tempfile
+import time
+import warnings
+from collections.abc import Callable
+from pathlib import Path
+
+from leitmotion import io
+from leitmotion.motion import forward_kinematics
+
+Row = tuple[str, str, str]
+RUNS = 7
+DATA = Path(
+    os.environ.get("LEITMOTION_DATA") or Path(__file__).resolve().parents[1].parent / "shared" / "data"
+)
+AMC, BVH, C3D = "cmu_amc/01_01.amc", "cmu_bvh/01_01.bvh", "pycgm/Movement_trial.c3d"
+
+
+def main() -> None:
+    """Print the table."""
+    for what, figure, protocol in rows():
+        print(f"{what}: {figure} ({protocol})")
+
+
+def rows() -> list[Row]:
+    """Measure; (what, figure, protocol) for every line."""
+    if not DATA.is_dir():
+        return [("Reading", "not measured", f"no folder of recordings at {DATA.name}: set LEITMOTION_DATA")]
+    amc, bvh, c3d = DATA / AMC, DATA / BVH, DATA / C3D
+    frames = len(io.read(amc))
+    protocol = f"CPU time, best of {RUNS}, file in the system's cache, kernels compiled before"
+    to_positions = best(lambda: forward_kinematics(io.read(amc)))
+    table = [
+        ("AMC to a motion", speed(amc, best(lambda: io.read(amc))), f"{AMC}, {frames:,} frames; {protocol}"),
+        (
+            "AMC from file to global positions",
+            f"{frames / to_positions:,.0f} frames/s",
+            f"{AMC}, {frames:,} frames, 31 joints; {protocol}",
+        ),
+        ("BVH to a motion", speed(bvh, best(lambda: io.read(bvh))), f"{BVH}; {protocol}"),
+        (
+            "C3D to trajectories",
+            speed(c3d, best(lambda: io.read(c3d))),
+            f"{C3D}, 239 points, 69 analog; {protocol}",
+        ),
+    ]
+    motion = io.read(amc)
+    with tempfile.TemporaryDirectory() as folder:
+        archive = io.save(motion, Path(folder) / "motion.npz")
+        seconds = best(lambda: io.load(archive))
+        table.append(("Archive to a motion", speed(archive, seconds), f"{AMC} saved; {protocol}"))
+        written = Path(folder) / "motion.bvh"
+        seconds = best(lambda: io.write(motion, written))
+        table.append(
+            ("A motion to BVH", speed(written, seconds), f"{AMC} written with all digits; {protocol}")
+        )
+    return table + peers(bvh, c3d, protocol)
+
+
+def peers(bvh: Path, c3d: Path, protocol: str) -> list[Row]:
+    """Measure the public readers that are installed, in the same run."""
+
+    def bvhtools() -> object:
+        return importlib.import_module("bvhTools.bvhIO").readBvh(str(bvh))
+
+    def ezc3d() -> object:
+        return importlib.import_module("ezc3d").c3d(str(c3d))
+
+    def c3d_reader() -> object:
+        with c3d.open("rb") as file, warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            return list(importlib.import_module("c3d").Reader(file).read_frames())
+
+    table = []
+    for name, package, path, read in (
+        ("BVH by bvhtools, rows of numbers only", "bvhTools", bvh, bvhtools),
+        ("C3D by ezc3d, points and analog", "ezc3d", c3d, ezc3d),
+        ("C3D by c3d, points and analog", "c3d", c3d, c3d_reader),
+    ):
+        if importlib.util.find_spec(package) is None:
+            table.append((name, "not installed", "python -m pip install 'leitmotion[bench]'"))
+        else:
+            runs = 3
+            seconds = best(read, runs=runs)
+            how = protocol.replace(f"best of {RUNS}", f"best of {runs}")
+            table.append((name, speed(path, seconds), f"{path.parent.name}/{path.name}; {how}"))
+    return table
+
+
+def best(call: Callable[[], object], runs: int = RUNS) -> float:
+    """CPU seconds of the fastest of several runs, after one that is not counted."""
+    call()
+    seconds = []
+    for _ in range(runs):
+        start = time.process_time()
+        call()
+        seconds.append(time.process_time() - start)
+    return min(seconds)
+
+
+def speed(path: Path, seconds: float) -> str:
+    """Megabytes of the file a second."""
+    return f"{path.stat().st_size / 1e6 / seconds:,.0f} MB/s"
+
+
+if __name__ == "__main__":
+    main()
