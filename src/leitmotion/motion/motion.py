@@ -69,8 +69,9 @@ class Motion(Noun):
         return np.arange(len(self)) / self.rate
 
     def __getitem__(self, frames: slice) -> Motion:
+        rate = slice_rate(self.rate, frames)  # refuses what is no slice before an array is asked
         return self.replace(
             local_positions=self.local_positions[frames],
             local_rotations=self.local_rotations[frames],
-            rate=slice_rate(self.rate, frames),
+            rate=rate,
         )

@@ -87,8 +87,9 @@ class Trajectories(Noun):
         return np.arange(len(self)) / self.rate
 
     def __getitem__(self, frames: slice) -> Trajectories:
+        rate = slice_rate(self.rate, frames)  # refuses what is no slice before an array is asked
         return self.replace(
             positions=self.positions[frames],
             confidence=None if self.confidence is None else self.confidence[frames],
-            rate=slice_rate(self.rate, frames),
+            rate=rate,
         )
