@@ -9,7 +9,7 @@ import os
 import time
 from pathlib import Path
 
-from leitmotion import body, features, io
+from leitmotion import body, datasets, features, io
 from leitmotion.discovery import Patterns, find_patterns_tang2008
 
 Row = tuple[str, str, str]
@@ -30,20 +30,25 @@ def main() -> None:
 
 
 def rows() -> list[Row]:
-    """Measure; (what, figure, protocol) for every line; none without the folder of recordings."""
+    """Measure; (what, figure, protocol) for every line; recordings only where their folder is."""
+    session = datasets.compose_session(seed=0)
+    truth = f"the practice session, {len(set(session.cycles.labels))} movements recur"
+    table = [row(truth, features.posture(body.embody(session.motion)))]
     folder = Path(os.environ.get("LEITMOTION_DATA") or BESIDE)
-    return [row(folder, name, truth) for name, truth in RECORDINGS if folder.is_dir()]
+    for name, truth in RECORDINGS if folder.is_dir() else ():
+        sequence = features.posture(body.embody(io.read(f"{folder}/{name}")))
+        table.append(row(f"{Path(name).name}: {truth}", sequence))
+    return table
 
 
-def row(folder: Path, name: str, truth: str) -> Row:
+def row(what: str, sequence: features.FeatureSequence) -> Row:
     """Search one recording."""
-    sequence = features.posture(body.embody(io.read(f"{folder}/{name}")))
     find_patterns_tang2008(sequence[:60])
     began = time.process_time()
     found = find_patterns_tang2008(sequence)
     seconds = time.process_time() - began
     return (
-        f"{Path(name).name}: {truth}",
+        what,
         in_words(found),
         f"defaults; T = 0.26 of the largest distance is {found.parameters['max_distance_own_unit'] * 100:.0f} cm here; "
         f"{found.parameters['traces']} traces; {seconds:.1f} CPU s",

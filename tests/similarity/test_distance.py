@@ -7,8 +7,7 @@ from hypothesis import strategies as st
 
 from leitmotion.features import FeatureSequence
 from leitmotion.motion import DataError, ParameterError
-from leitmotion.similarity import cross_distance, self_distance
-from leitmotion.similarity.distance import _blank
+from leitmotion.similarity import cross_distance, distance, self_distance
 from oracles.similarity import cross_distance as twin
 
 
@@ -151,6 +150,9 @@ def test_what_cannot_be_compared_says_why(rng):
         self_distance(points, metric="cosine")
 
 
-def test_a_matrix_beyond_memory_is_a_sentence():
-    with pytest.raises(DataError, match="GB of memory"):
-        _blank(10**8, 10**8)
+def test_a_matrix_beyond_memory_is_a_sentence(rng, monkeypatch):
+    points = sequence(rng.standard_normal((100, 3)))
+    monkeypatch.setattr(distance, "_memory", lambda: 30_000.0)
+    with pytest.raises(DataError, match=r"100 moments with 100 needs 0\.0 GB of memory"):
+        self_distance(points)
+    assert self_distance(points[:50]).values.shape == (50, 50)

@@ -120,8 +120,7 @@ def find_patterns_tang2008(
     """
     _check_positive(locals())
     work = resample(features, rate_hz)
-    matrix = self_distance(work)
-    C, largest = _scaled(matrix.values)
+    C, largest = _scaled(self_distance(work).values)
     shortest = max(2, round(min_duration_s * rate_hz))
     windows = max(1, round(first_window_s * rate_hz)), max(1, round(next_window_s * rate_hz))
     reach = max(1, round(REACH_S * rate_hz))
@@ -332,9 +331,7 @@ def _nearest_miss(traced: Sequence[Trace], shortest: int, threshold: float, rate
     longest = max(min(stop - start for start, stop in trace.segments) for trace in traced)
     if longest < shortest:
         return f"The longest likeness within {share} lasts {longest / rate:.2f} s, under {shortest / rate:.2f} s."
-    return (
-        f"The longest likeness within {share} lasts {longest / rate:.2f} s, but is no movement with cycles."
-    )
+    return f"The longest likeness within {share} lasts {longest / rate:.2f} s, but nothing in it repeats."
 
 
 class _Scribe:

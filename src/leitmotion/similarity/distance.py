@@ -14,6 +14,8 @@ data", 2008.
 
 from __future__ import annotations
 
+import os
+
 import numpy as np
 
 from leitmotion.features.sequence import FeatureSequence
@@ -21,6 +23,7 @@ from leitmotion.motion.errors import DataError, ParameterError
 from leitmotion.similarity.matrix import SimilarityMatrix
 
 METRICS = ("mean_norm", "geodesic")
+MEMORY_SHARE = 0.75  # of the machine's memory, the most one matrix may take
 
 
 def self_distance(features: FeatureSequence, *, metric: str = "mean_norm") -> SimilarityMatrix:
@@ -48,7 +51,7 @@ def self_distance(features: FeatureSequence, *, metric: str = "mean_norm") -> Si
     ParameterError
         When the metric is unknown or does not fit the width.
     DataError
-        When the matrix does not fit in memory.
+        When the matrix would not fit in memory.
 
     Examples
     --------
@@ -86,7 +89,7 @@ def cross_distance(a: FeatureSequence, b: FeatureSequence, *, metric: str = "mea
     ParameterError
         When the two do not hold the same features, or the metric is unknown or does not fit.
     DataError
-        When the matrix does not fit in memory.
+        When the matrix would not fit in memory.
 
     Examples
     --------
@@ -154,13 +157,22 @@ def _across_time(features: FeatureSequence, centre: np.ndarray) -> np.ndarray:
 
 
 def _blank(rows: int, columns: int) -> np.ndarray:
-    try:
-        return np.empty((rows, columns), np.float32)
-    except MemoryError:
+    """Make room for the matrix, or say that there is none before the system ends the process for want of it."""
+    needed = 4 * rows * columns
+    if needed > MEMORY_SHARE * _memory():
         raise DataError(
-            f"Comparing {rows:,} moments with {columns:,} needs {rows * columns * 4 / 1e9:.1f} GB of memory.",
+            f"Comparing {rows:,} moments with {columns:,} needs {needed / 1e9:.1f} GB of memory.",
             remedy="Take every n-th frame, or a window of the recording.",
-        ) from None
+        )
+    return np.empty((rows, columns), np.float32)
+
+
+def _memory() -> float:
+    """Bytes of memory this machine has; infinite where it does not tell."""
+    try:
+        return float(os.sysconf("SC_PHYS_PAGES") * os.sysconf("SC_PAGE_SIZE"))
+    except (AttributeError, ValueError, OSError):
+        return float("inf")
 
 
 def _matrix(values: np.ndarray, metric: str, a: FeatureSequence, b: FeatureSequence) -> SimilarityMatrix:
