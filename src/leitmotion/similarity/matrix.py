@@ -46,6 +46,8 @@ class SimilarityMatrix(Noun):
     def __post_init__(self) -> None:
         set_array(self, "values", dtype=np.float32, shape=(None, None), finite=False)
         if self.kind not in KINDS:
-            raise ParameterError(f"SimilarityMatrix.kind must be one of {', '.join(KINDS)}, got {self.kind!r}.")
+            raise ParameterError(
+                f"SimilarityMatrix.kind must be one of {', '.join(KINDS)}, got {self.kind!r}."
+            )
         if not (self.row_rate > 0 and self.column_rate > 0):
             raise ParameterError(f"Rates must be positive, got {self.row_rate} and {self.column_rate}.")
