@@ -14,7 +14,8 @@ from leitmotion.body import ANALYSIS_ROLES, Body
 from leitmotion.discovery import Pattern, PatternPair, Patterns
 from leitmotion.motion import ParameterError, Segmentation
 from leitmotion.similarity import SimilarityMatrix
-from leitmotion.view.plots import THEMES, plot_figures, plot_matrix, plot_patterns
+from leitmotion.view.palette import THEMES
+from leitmotion.view.plots import plot_figures, plot_matrix, plot_patterns
 from leitmotion.view.stick_figures import figure_shapes
 
 LIGHT = THEMES["light"]
@@ -103,6 +104,16 @@ def test_lanes_hold_stretches_and_cycles():
     assert {"A", "B"} <= set(words)
 
 
+def test_cycles_are_numbered_within_their_stretch():
+    cycles = Segmentation([5, 35, 105, 135], [35, 65, 135, 165], ("A",) * 4, [0.9] * 4, 30)
+    stretches = Segmentation([0, 100], [70, 170], ("A",) * 2, [0.9] * 2, 30)
+    found = Pattern("A", "cyclic", cycles, stretches, 1.0, 0.05, 0.9)
+    axes = plot_patterns(patterns(found)).axes[0]
+    assert [t.get_text() for t in axes.texts if t.get_text().isdigit()] == ["1", "2", "1", "2"]
+    crowded = plot_patterns(patterns(found), seconds=120).axes[0]
+    assert not [t for t in crowded.texts if t.get_text().isdigit()]
+
+
 def test_the_uncertain_is_hatched():
     axes = plot_patterns(patterns(pattern("A"), pattern("B", confidence=0.3))).axes[0]
     hatched = {patch.get_hatch() is not None: patch.get_y() for patch in axes.patches}
@@ -121,6 +132,13 @@ def test_given_labels_have_a_lane_in_ink():
     words = {text.get_text(): text for text in axes.texts}
     assert {"walk", "jump", "Given labels"} <= set(words)
     assert words["walk"].get_color() == LIGHT.ink2
+
+
+def test_a_label_too_long_for_its_stretch_is_not_written():
+    labels = Segmentation([0, 3], [3, 300], ("a very long word", "walk"), rate=30)
+    words = texts(plot_patterns(patterns(pattern("A")), seconds=10, labels=labels))
+    assert "walk" in words
+    assert "a very long word" not in words
 
 
 def test_no_pattern_is_a_sentence():

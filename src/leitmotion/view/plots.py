@@ -11,7 +11,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -19,6 +19,7 @@ from leitmotion.discovery import Pattern, Patterns
 from leitmotion.motion.errors import ParameterError
 from leitmotion.motion.segmentation import Segmentation
 from leitmotion.similarity import SimilarityMatrix
+from leitmotion.view.palette import Theme, colour_of, mixed, theme_named
 from leitmotion.view.stick_figures import Shape, figure_shapes
 
 if TYPE_CHECKING:
@@ -29,39 +30,12 @@ if TYPE_CHECKING:
     from leitmotion.body import Body
 
 
-class Theme(NamedTuple):
-    """The colours of a figure."""
-
-    surface: str
-    ink: str
-    ink2: str
-    line: str
-    left: str
-    chip: str
-    ramp: tuple[str, ...]
-    """Distance map, far to near."""
-    patterns: tuple[str, ...]
-
-
-THEMES = {
-    "light": Theme(
-        "#FFFFFF", "#1B2027", "#555D68", "#E2E0DA", "#2F6FB3", "#FFFFFF",
-        ("#F9FAFC", "#B9C0CC", "#7E889A", "#4B5465", "#20252F"),
-        ("#4720AB", "#B5590F", "#23798A", "#8A1A4F", "#1F4A05", "#8F54DC", "#73501F", "#1B5978"),
-    ),
-    "dark": Theme(
-        "#15191F", "#ECEAE4", "#A9B0BA", "#272D35", "#74B4F0", "#0E1115",
-        ("#101418", "#38434D", "#697886", "#A4B1BD", "#E6ECF2"),
-        ("#5A90F5", "#DFA635", "#51EFCC", "#E0608F", "#ECEE55", "#BFB1FF", "#A97E2C", "#6BBBB6"),
-    ),
-}  # fmt: skip
-
 CELLS, SMOOTH_BELOW = 1500, 600  # more cells are not seen in print; fewer are smoothed
 CAP_SHARE, LEAST_CAP_CM = 60, 8  # the map's far end: this percentile of the distances, at least so many cm
 TICKS_S = (0.1, 0.2, 0.5, 1, 2, 5, 10, 30, 60, 120, 300, 600)
 UNCERTAIN = 0.5
 SMALL, BODY, TITLE = 8.0, 9.0, 11.0
-LANE, HEAD = 0.36, 1.6  # inches: height of a lane, width of its head
+LANE, HEAD, DIGIT = 0.36, 1.6, 0.13  # inches: height of a lane, width of its head, room for a cycle's number
 HALO, OUTLINE, CAPTION = 0.7, 0.9, 0.24  # points, points, inches
 
 
@@ -109,9 +83,9 @@ def plot_matrix(
     """
     from matplotlib.colors import LinearSegmentedColormap
 
-    colours = _theme(theme)
-    figure = _figure(width, width * 1.08, colours)
-    axes = figure.add_axes((0.11, 0.12, 0.85, 0.85 / 1.08))
+    colours = theme_named(theme)
+    figure = _figure(width, width * 1.06, colours)
+    axes = figure.add_axes((0.11, 0.105, 0.85, 0.85 / 1.06))
     cap, far_end = _cap(matrix)
     rows, columns = matrix.values.shape
     seconds = columns / matrix.column_rate, rows / matrix.row_rate
@@ -123,7 +97,7 @@ def plot_matrix(
     )  # fmt: skip
     if patterns is not None:
         for pair in patterns.pairs:
-            colour = _colour_of(pair.pattern, colours)
+            colour = colour_of(pair.pattern, colours)
             path = pair.path / patterns.rate
             axes.plot(path[:, 1], path[:, 0], color=colour, lw=1.6, **_halo(colours, 3.2), zorder=3)
         _edge_bars(axes, patterns, colours)
@@ -175,7 +149,7 @@ def plot_patterns(
     >>> float(figure.axes[0].get_xlim()[1])
     10.0
     """
-    colours = _theme(theme)
+    colours = theme_named(theme)
     lanes = max(1, len(patterns)) + (labels is not None)
     height = lanes * LANE + 0.45
     figure = _figure(width, height, colours)
@@ -233,7 +207,7 @@ def plot_figures(
     ParameterError
         When a frame is outside the recording, none is given, or captions do not match.
     """
-    colours = _theme(theme)
+    colours = theme_named(theme)
     chosen = [int(frame) for frame in frames]
     if not chosen or min(chosen) < 0 or max(chosen) >= len(body):
         raise ParameterError(f"frames must be some of 0 to {len(body) - 1}, got {list(frames)}.")
@@ -257,12 +231,6 @@ def plot_figures(
         middle = (2 * k + 1) / (2 * len(chosen))
         figure.text(middle, 0.06 / height, word, ha="center", fontsize=SMALL, color=colours.ink2)
     return figure
-
-
-def _theme(name: str) -> Theme:
-    if name not in THEMES:
-        raise ParameterError(f"theme must be one of {', '.join(THEMES)}, got {name!r}.")
-    return THEMES[name]
 
 
 def _figure(width: float, height: float, colours: Theme) -> Figure:
@@ -310,28 +278,15 @@ def _cap(matrix: SimilarityMatrix) -> tuple[float, str]:
 def _legend(figure: Figure, colours: Theme, far_end: str) -> None:
     from matplotlib.colors import LinearSegmentedColormap
 
-    near = figure.text(0.11, 0.055, "same posture", va="center", fontsize=SMALL, color=colours.ink2)
-    figure.canvas.draw()
+    near = figure.text(0.11, 0.05, "same posture", va="center", fontsize=SMALL, color=colours.ink2)
     end = near.get_window_extent().x1 / figure.bbox.width + 0.015
-    bar = figure.add_axes((end, 0.043, 0.2, 0.024))
+    bar = figure.add_axes((end, 0.038, 0.2, 0.024))
     ramp = LinearSegmentedColormap.from_list("distance", colours.ramp[::-1])
     bar.imshow(np.linspace(0, 1, 256)[None], cmap=ramp, aspect="auto")
     bar.set(xticks=[], yticks=[])
     for spine in bar.spines.values():
         spine.set(color=colours.line, linewidth=0.5)
-    figure.text(end + 0.215, 0.055, far_end, va="center", fontsize=SMALL, color=colours.ink2)
-
-
-def _colour_of(name: str, colours: Theme) -> str:
-    """Choose a pattern's colour by its letter; past the eighth the letter alone tells it."""
-    place = ord(name[0]) - ord("A") if len(name) == 1 else len(colours.patterns)
-    return colours.patterns[place] if 0 <= place < len(colours.patterns) else colours.ink2
-
-
-def _mixed(colour: str, share: float, surface: str) -> tuple[float, ...]:
-    from matplotlib.colors import to_rgb
-
-    return tuple(share * a + (1 - share) * b for a, b in zip(to_rgb(colour), to_rgb(surface), strict=True))
+    figure.text(end + 0.215, 0.05, far_end, va="center", fontsize=SMALL, color=colours.ink2)
 
 
 def _halo(colours: Theme, width: float) -> dict[str, Any]:
@@ -347,7 +302,7 @@ def _edge_bars(axes: Axes, patterns: Patterns, colours: Theme) -> None:
     """Mark the stretches along the top and the left edge: the bridge to the lanes."""
     across, down = axes.get_xaxis_transform(), axes.get_yaxis_transform()
     for pattern in reversed(patterns.patterns):
-        colour = _colour_of(pattern.id, colours)
+        colour = colour_of(pattern.id, colours)
         for start, stop, _, _ in pattern.stretches:
             span = np.array([start, stop]) / patterns.rate
             bar: dict[str, Any] = {"color": colour, "lw": 2.4, "clip_on": False, "solid_capstyle": "butt"}
@@ -356,21 +311,22 @@ def _edge_bars(axes: Axes, patterns: Patterns, colours: Theme) -> None:
 
 
 def _lane(axes: Axes, lane: int, pattern: Pattern, colours: Theme, per_second: float) -> None:
-    colour = _colour_of(pattern.id, colours)
+    colour = colour_of(pattern.id, colours)
     rate = pattern.occurrences.rate
     hatch = "////" if pattern.confidence < UNCERTAIN else None
     for start, stop, _, _ in pattern.stretches:
-        _bar(axes, lane, start / rate, stop / rate, _mixed(colour, 0.13, colours.surface), hatch, colour)
+        _bar(axes, lane, start / rate, stop / rate, mixed(colour, 0.13, colours.surface), hatch, colour)
         axes.plot([start / rate] * 2, [lane + 0.14, lane + 0.86], color=colour, lw=1.8, solid_capstyle="butt")
-    starts = set(pattern.stretches.starts.tolist())
-    number = 0
-    for start, stop, _, _ in pattern.occurrences:
-        number = 1 if start in starts else number + 1
-        shade = _mixed(colour, 0.36 if number % 2 else 0.22, colours.surface)
+    lengths = (pattern.occurrences.stops - pattern.occurrences.starts) / rate
+    numbered = pattern.kind == "cyclic" and lengths.min() * per_second > DIGIT
+    holder = np.searchsorted(pattern.stretches.starts, pattern.occurrences.starts, side="right")
+    for k, (start, stop, _, _) in enumerate(pattern.occurrences):
+        number = k - int(np.argmax(holder == holder[k])) + 1  # within its stretch
+        shade = mixed(colour, 0.36 if number % 2 else 0.22, colours.surface)
         _bar(axes, lane, start / rate, stop / rate, shade, hatch, colour)
         for border in (start, stop):
             axes.plot([border / rate] * 2, [lane + 0.14, lane + 0.86], color=colour, lw=0.8)
-        if (stop - start) / rate * per_second > 0.2 and pattern.kind == "cyclic":
+        if numbered:
             axes.text((start + stop) / 2 / rate, lane + 0.5, str(number), ha="center", va="center",
                       fontsize=SMALL, weight="bold", color=colours.ink)  # fmt: skip
     _lane_head(axes, lane, pattern, colour, colours)
@@ -405,12 +361,20 @@ def _in_head(axes: Axes, lane: float, inches: float, words: str, colour: str, si
 
 
 def _label_lane(axes: Axes, lane: int, labels: Segmentation, colours: Theme) -> None:
+    """Write each word into its stretch; where it does not fit, its tick alone stands."""
     _in_head(axes, lane + 0.5, 0.34, "Given labels", colours.ink2, SMALL)
-    for start, _, word, _ in labels:
-        at = start / labels.rate
+    for start, stop, word, _ in labels:
+        at, end = start / labels.rate, stop / labels.rate
         axes.plot([at, at], [lane + 0.25, lane + 0.75], color=colours.ink2, lw=0.8)
-        axes.annotate(word, (at, lane + 0.5), xytext=(3, 0), textcoords="offset points", va="center",
-                      fontsize=SMALL, color=colours.ink2, annotation_clip=True)  # fmt: skip
+        place: dict[str, Any] = {
+            "xytext": (3, 0),
+            "textcoords": "offset points",
+            "va": "center",
+            "fontsize": SMALL,
+        }
+        written = axes.annotate(word, (at, lane + 0.5), color=colours.ink2, **place)
+        if written.get_window_extent().x1 > axes.transData.transform((end, 0))[0]:
+            written.remove()
 
 
 def _paint(
@@ -421,18 +385,19 @@ def _paint(
 
     styles: dict[str, dict[str, Any]] = {
         "right": {"fc": colours.ink, "ec": "none"},
-        "left": {"fc": _mixed(colours.left, 0.1, colours.surface), "ec": colours.left},
-        "middle": {"fc": _mixed(colours.ink, 0.66, colours.surface), "ec": "none"},
+        "left": {"fc": mixed(colours.left, 0.1, colours.surface), "ec": colours.left},
+        "middle": {"fc": mixed(colours.ink, 0.66, colours.surface), "ec": "none"},
     }
     for order, shape in enumerate(shapes):
         style = dict(styles[shape.side])
         width = OUTLINE if shape.side == "left" else 0.0
         if shape.stroke:
             style["ec"], width = style["fc"], shape.stroke * points_per_metre
-        halo = {"fc": colours.surface, "ec": colours.surface, "lw": width + 2 * HALO}
-        for zorder, look in ((order, halo), (order + 0.5, {**style, "lw": width})):
-            outline = np.add(shape.outline, (right, 0))
-            axes.add_patch(Polygon(outline, joinstyle="round", zorder=zorder, **look))
+        halo: dict[str, Any] = {"fc": colours.surface, "ec": colours.surface, "lw": width + 2 * HALO}
+        outline = np.add(shape.outline, (right, 0))
+        if shape.parted:
+            axes.add_patch(Polygon(outline, joinstyle="round", zorder=order, **halo))
+        axes.add_patch(Polygon(outline, joinstyle="round", zorder=order + 0.5, lw=width, **style))
 
 
 def _clock(seconds: float) -> str:

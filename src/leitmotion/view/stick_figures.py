@@ -40,6 +40,8 @@ class Shape(NamedTuple):
     """Toward the viewer, metres."""
     stroke: float = 0.0
     """How wide its border is drawn, metres; 0 for none."""
+    parted: bool = True
+    """Whether a halo sets it apart from what is behind it."""
 
 
 def figure_shapes(body: Body, frame: int) -> list[Shape]:
@@ -114,13 +116,14 @@ def _trunk(seen: dict[str, np.ndarray], girth: float) -> list[Shape]:
     if head is None:
         return shapes
     up = np.array([0.0, 1.0, 0.0])
-    centre = head
+    centre, depth = head, float(head[2])
     if neck is not None and np.linalg.norm(head - neck) > 1e-6:
         up = (head - neck) / np.linalg.norm(head - neck)
         centre = neck + up * np.clip(np.linalg.norm(head - neck), *np.multiply(HEAD_ABOVE_NECK, girth))
-        depth = min([float(centre[2]), *(shape.depth for shape in shapes)]) - 1e-6  # under torso and head
-        shapes.append(Shape(_capsule(neck[:2], centre[:2], 0.05 * girth, 0.045 * girth), "middle", depth))
-    shapes.append(Shape(_ellipse(centre, up, girth), "middle", float(centre[2])))
+        depth = max([float(neck[2]), *(shape.depth for shape in shapes)]) + 1e-6  # between torso and head
+        outline = _capsule(neck[:2], centre[:2], 0.05 * girth, 0.045 * girth)
+        shapes.append(Shape(outline, "middle", depth, parted=False))
+    shapes.append(Shape(_ellipse(centre, up, girth), "middle", max(depth + 1e-6, float(centre[2]))))
     return shapes
 
 
