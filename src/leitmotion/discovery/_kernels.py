@@ -39,8 +39,14 @@ def align_locally(D, theta, still, still_distance, still_gain, ceiling, least):
     found = 0
     for i in range(N + 3):
         now, before, earlier = i % 3, (i - 1) % 3, (i - 2) % 3
-        for j in range(N):  # row i - 3 is complete
-            if S[now, j] > least and not extended[now, j]:
+        left = np.float32(0.0)
+        for j in range(
+            N
+        ):  # row i - 3 is complete: note where it ends a path, and the best of neighbouring ends
+            right = S[now, j + 1] if j + 1 < N else np.float32(0.0)
+            ends = S[now, j] > least and not extended[now, j] and S[now, j] >= left and S[now, j] > right
+            left = S[now, j]
+            if ends:
                 if found == rows.size:
                     rows = np.concatenate((rows, np.empty_like(rows)))
                     columns = np.concatenate((columns, np.empty_like(columns)))

@@ -25,6 +25,7 @@ CORRIDOR_S = 0.13  # paths nearer to one another than this are one stripe
 REACH_S = 1.0  # how far around a moment its amplitude is read
 AMPLITUDE_SHARE = 0.5  # alike: nearer than half of what the body moves around that moment
 REST_SHARE = 0.15  # of the greatest speed nearby: slower is a rest between two movements
+SAMPLED = 64  # moments a side of a stripe's rectangle that tell its background
 GAP_S = 0.27  # how long a mismatch a path may bridge
 
 
@@ -175,7 +176,8 @@ def measure(path: np.ndarray, distances: np.ndarray, alike: Likeness) -> Stripe 
         return None
     keep = slice(good[0], good[-1] + 1)
     path, d, gain = path[keep], d[keep], gain[keep]
-    block = distances[path[0, 0] : path[-1, 0] + 1, path[0, 1] : path[-1, 1] + 1]
+    every = max(1, len(path) // SAMPLED)
+    block = distances[path[0, 0] : path[-1, 0] + 1 : every, path[0, 1] : path[-1, 1] + 1 : every]
     return Stripe(path, float(np.nanmean(d)), float(np.nanmedian(block)), float(np.nansum(gain)))
 
 
