@@ -52,6 +52,17 @@ def test_compiling_is_noted_once_when_it_takes_long(
     assert capsys.readouterr().err == COMPILING + "\n"
 
 
+def test_compiling_for_the_next_input_is_not_noted_again(
+    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(module, "COMPILING_S", 0.05)
+    with Progress(2) as progress:
+        for _ in range(2):
+            with compiling_noted(progress):
+                compile_for(0.15)
+    assert capsys.readouterr().err == COMPILING + "\n"
+
+
 def test_a_short_compilation_is_not_worth_a_word(
     capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -37,6 +37,7 @@ class Progress:
         self._timer: threading.Timer | None = None
         self._done = 0
         self._text = ""
+        self._noted: set[str] = set()
 
     def __enter__(self) -> Self:
         return self
@@ -74,6 +75,12 @@ class Progress:
         """Leave a remark on standard error."""
         if not self._quiet:
             print(text, file=sys.stderr, flush=True)
+
+    def note_once(self, text: str) -> None:
+        """Leave a remark that need not be made again for the next input."""
+        if text not in self._noted:
+            self._noted.add(text)
+            self.note(text)
 
     def _show(self) -> None:
         from rich.console import Console
@@ -113,7 +120,7 @@ def compiling_noted(progress: Progress) -> Iterator[None]:
             self.depth += 1
             if self.depth == 1 and self.spent < COMPILING_S:
                 self.began = time.monotonic()
-                self.timer = threading.Timer(COMPILING_S - self.spent, progress.note, [COMPILING])
+                self.timer = threading.Timer(COMPILING_S - self.spent, progress.note_once, [COMPILING])
                 self.timer.daemon = True
                 self.timer.start()
 
