@@ -142,25 +142,56 @@ def browser() -> Iterator[Any]:
 @pytest.fixture
 def open_page(browser: Any) -> Iterator[Callable[..., Any]]:
     """Open a page from disk; afterwards: no error in its console and no request but for the file itself."""
-    contexts, faults = [], []
+    contexts: list[Any] = []
+    faults: list[str] = []
 
     def opened(path: Path, hash_: str = "", *, width: int = 1440, height: int = 900, **options: Any) -> Any:
-        context = browser.new_context(viewport={"width": width, "height": height}, **options)
-        contexts.append(context)
-        page = context.new_page()
-        page.on("console", lambda message: faults.append(message.text) if message.type == "error" else None)
-        page.on("pageerror", lambda error: faults.append(str(error)))
-        page.on(
-            "request",
-            lambda request: (
-                None if request.url.startswith(("file:", "blob:")) else faults.append(request.url)
-            ),
-        )
+        contexts.append(browser.new_context(viewport={"width": width, "height": height}, **options))
+        page = contexts[-1].new_page()
+        watch(page, faults)
         page.goto(path.as_uri() + (f"#{hash_}" if hash_ else ""))
-        page.evaluate("new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))")
+        settle(page)
         return page
 
     yield opened
     for context in contexts:
         context.close()
     assert faults == []
+
+
+@pytest.fixture(scope="session")
+def practice_page(browser: Any, practice: Path) -> Iterator[tuple[Any, list[str]]]:
+    """The page of the known session, opened once, with the list of its faults."""
+    context = browser.new_context(viewport={"width": 1440, "height": 900})
+    page = context.new_page()
+    faults: list[str] = []
+    watch(page, faults)
+    page.goto(practice.as_uri())
+    yield page, faults
+    context.close()
+
+
+@pytest.fixture
+def page(practice_page: tuple[Any, list[str]]) -> Iterator[Any]:
+    """The page of the known session at 20.2 s, idle, nothing focused or pointed at; afterwards without a fault."""
+    page, faults = practice_page
+    page.mouse.move(700, 40)
+    page.evaluate("document.activeElement.blur(); scrollTo(0, 0); location.hash = 't=0&theme=light'")
+    settle(page)
+    page.evaluate("location.hash = 't=20.2'")
+    settle(page)
+    yield page
+    assert faults == []
+
+
+def watch(page: Any, faults: list[str]) -> None:
+    """Note every error of a page and every request but for files of this machine and what it made itself."""
+    page.on("console", lambda message: faults.append(message.text) if message.type == "error" else None)
+    page.on("pageerror", lambda error: faults.append(str(error)))
+    local = ("file:", "blob:", "data:")
+    page.on("request", lambda request: None if request.url.startswith(local) else faults.append(request.url))
+
+
+def settle(page: Any) -> None:
+    """Wait until what is due is drawn."""
+    page.evaluate("new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))")

@@ -40,11 +40,6 @@ def line(page: Any, which: int) -> float:
     return float((x - left) / at["width"] * seconds)
 
 
-@pytest.fixture
-def page(open_page: Open, practice: Path) -> Any:
-    return open_page(practice, "t=20.2")
-
-
 def test_idle_shows_now_and_what_is_most_like_it(page: Any) -> None:
     now = state(page)
     assert not now["playing"]

@@ -2,8 +2,8 @@
 
 Conventions
 -----------
-``distances`` is (F, F): drawn frame against drawn frame, in the matrix's own numbers, NaN where unknown. Frames
-returned are drawn frames.
+``distances`` is (F, F): moment against moment, in the matrix's own numbers, NaN where unknown. Frames returned are its
+rows.
 """
 
 from __future__ import annotations
@@ -30,9 +30,9 @@ def find_nearest(distances: np.ndarray, rate: float, *, cap: float) -> tuple[np.
     Parameters
     ----------
     distances : (F, F) float
-        Between drawn frames.
+        Between moments.
     rate : float
-        Drawn frames per second.
+        Moments per second.
     cap : float
         Farther than this is not alike.
 
@@ -71,14 +71,14 @@ def choose_key(pattern: Pattern, distances: np.ndarray, rate: float) -> int:
     pattern : Pattern
         What recurs.
     distances : (F, F) float
-        Between drawn frames.
+        Between moments.
     rate : float
-        Drawn frames per second.
+        Moments per second.
 
     Returns
     -------
     int
-        A drawn frame.
+        A row of `distances`.
     """
     last = len(distances) - 1
     spans = pattern.occurrences
@@ -107,14 +107,14 @@ def choose_strips(distances: np.ndarray, counts: Sequence[int]) -> list[np.ndarr
     Parameters
     ----------
     distances : (F, F) float
-        Between drawn frames.
+        Between moments.
     counts : sequence of int
         How many postures each strip has.
 
     Returns
     -------
     list of (K,) int arrays
-        Drawn frames, in order.
+        Rows of `distances`, in order.
     """
     count = len(distances)
     stride = max(1, count // STRIP_CANDIDATES)

@@ -30,7 +30,7 @@ FULL_SIZE = 1.5
 PATH_RATE = 15.0
 CAP_PERCENTILE = 60
 NEAREST_QUANTUM = 1e-4
-STRIP_COUNTS = (*range(3, 15), 16, 18)
+STRIP_COUNTS = (*range(1, 15), 16, 18)
 HEAD_TOP = 0.14
 JS_TYPES = {
     "i2": "Int16Array",
@@ -79,14 +79,11 @@ def page_payload(
     """
     _check(body, matrix)
     unit = _Unit(body, matrix)
-    step = max(1, int(np.ceil(body.rate / DRAWN_RATE - 1e-6)))
-    frames, rate = len(range(0, len(body), step)), body.rate / step
-    rows = _rows_at(matrix, frames, rate)
-    distances = _at(matrix.values, rows)
-    cap = _distance_cap(distances, unit)
-    near_frames, near_distances = find_nearest(distances, rate, cap=cap / unit.per_value)
-    seconds = len(body) / body.rate
-    strips = choose_strips(distances, STRIP_COUNTS)
+    step = max(1, round(body.rate / DRAWN_RATE))
+    frames, seconds = len(range(0, len(body), step)), len(body) / body.rate
+    moments, rate = _moments(matrix)
+    cap = _distance_cap(moments, unit)
+    near, near_distances = find_nearest(moments, rate, cap=cap / unit.per_value)
     return {
         "version": VERSION,
         "title": words.title(patterns),
@@ -98,22 +95,23 @@ def page_payload(
             "rate": body.rate,
             "seconds": seconds,
         },
-        "clock": {"frames": frames, "rate": rate},
+        "clock": {"frames": frames, "rate": body.rate / step},
         "body": _body(body, step, unit, patterns),
         "distance": {"factor": unit.shown, "unit": unit.word, "cap": cap},
         "matrix": _matrix(matrix, cap, unit),
         "nearest": {
-            "frames": _array(near_frames, "i4"),
+            "rate": rate,
+            "seconds": _array(np.where(near < 0, np.nan, near / rate), "f4"),
             "distances": _array(_quanta(near_distances * unit.per_value), "u2"),
             "quantum": NEAREST_QUANTUM,
         },
-        "patterns": [_pattern(p, distances, rate) for p in patterns.patterns],
+        "patterns": [_pattern(p, moments, rate) for p in patterns.patterns],
         "stripes": _stripes(patterns),
         "labels": None if labels is None else _labels(labels, labels_from),
-        "strips": [_array(frames, "i4") for frames in strips],
+        "strips": [_array(chosen / rate, "f4") for chosen in choose_strips(moments, STRIP_COUNTS)],
         "empty": None
         if len(patterns)
-        else words.empty_text(patterns, still=_keeps_still(distances, rate, cap, unit)),
+        else words.empty_text(patterns, still=_keeps_still(moments, rate, cap, unit)),
         "looked_for": words.looked_for(patterns),
     }
 
@@ -152,18 +150,10 @@ def _check(body: Body, matrix: SimilarityMatrix) -> None:
         )
 
 
-def _rows_at(matrix: SimilarityMatrix, frames: int, rate: float) -> np.ndarray:
-    """Row of the matrix that stands for each drawn frame."""
-    rows = np.rint(np.arange(frames) * matrix.row_rate / rate).astype(np.int64)
-    return np.minimum(rows, matrix.values.shape[0] - 1)
-
-
-def _at(values: np.ndarray, rows: np.ndarray) -> np.ndarray:
-    """Distances between drawn frames; a view where the rows are evenly spaced, as they nearly always are."""
-    stride = int(rows[1] - rows[0]) if len(rows) > 1 else 1
-    if stride > 0 and len(rows) and np.array_equal(rows, np.arange(len(rows)) * stride):
-        return values[: rows[-1] + 1 : stride, : rows[-1] + 1 : stride]
-    return values[np.ix_(rows, rows)]
+def _moments(matrix: SimilarityMatrix) -> tuple[np.ndarray, float]:
+    """Distances between moments, at most about 30 a second, and how many there are a second."""
+    stride = max(1, round(matrix.row_rate / DRAWN_RATE))
+    return matrix.values[::stride, ::stride], matrix.row_rate / stride
 
 
 def _distance_cap(distances: np.ndarray, unit: _Unit) -> float:
@@ -270,7 +260,7 @@ def _pattern(pattern: Pattern, distances: np.ndarray, rate: float) -> dict[str, 
         "cost": pattern.cost,
         "head": head,
         "sub": sub,
-        "key": choose_key(pattern, distances, rate),
+        "key": choose_key(pattern, distances, rate) / rate,
         "stretches": [
             {
                 "start": float(start / spans.rate),

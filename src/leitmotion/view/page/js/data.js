@@ -30,10 +30,12 @@ const clip = (() => {
 
 const likeness = { ...payload.matrix, values: decode(payload.matrix.values), cells: payload.matrix.values.shape[0] };
 const nearest = {
-  frames: decode(payload.nearest.frames),
+  rate: payload.nearest.rate,
+  seconds: decode(payload.nearest.seconds),
   distances: decode(payload.nearest.distances),
   quantum: payload.nearest.quantum,
-  each: payload.nearest.frames.shape[1],
+  count: payload.nearest.seconds.shape[0],
+  each: payload.nearest.seconds.shape[1],
 };
 const patterns = payload.patterns;
 const strips = payload.strips.map(decode);
@@ -53,6 +55,19 @@ const clamp = (value, low, high) => Math.min(Math.max(value, low), high);
 const frameAt = (time) => clamp(Math.round(time * clip.rate), 0, clip.frames - 1);
 const cellAt = (time) => clamp(Math.floor(time * likeness.rate), 0, likeness.cells - 1);
 const timeOfCell = (cell) => Math.min((cell + 0.5) / likeness.rate, clip.last);
+
+// The moments most like a moment, nearest first: fewer than three where less comes within the cap.
+function nearestTo(time) {
+  const row = clamp(Math.round(time * nearest.rate), 0, nearest.count - 1);
+  const found = [];
+  for (let k = row * nearest.each; k < (row + 1) * nearest.each; k++) {
+    if (Number.isNaN(nearest.seconds[k])) break;
+    // Between two rows the likeness runs on at the same pace.
+    const there = clamp(nearest.seconds[k] + time - row / nearest.rate, 0, clip.last);
+    found.push({ time: there, distance: nearest.distances[k] * nearest.quantum });
+  }
+  return found;
+}
 
 // The posture at a moment, between two drawn frames: metres, NaN where a point was not seen.
 function postureAt(time, out) {

@@ -29,9 +29,10 @@ function paintDistances(pixels) {
 function distanceLegend(legend) {
   const scale = document.createElement("canvas");
   legend.replaceChildren(make("span", "", "same posture"), scale, make("span", "", `${capWord} apart or more`));
-  const pen = sized(scale, 96, 12);
-  for (let x = 0; x < 96; x++) {
-    const colour = theme.map[Math.round(255 * (1 - x / 95))];
+  const width = field.side < 260 ? 36 : 96;
+  const pen = sized(scale, width, 12);
+  for (let x = 0; x < width; x++) {
+    const colour = theme.map[Math.round(255 * (1 - x / (width - 1)))];
     pen.fillStyle = `rgb(${colour & 255} ${(colour >> 8) & 255} ${(colour >> 16) & 255})`;
     pen.fillRect(x, 0, 1.2, 12);
   }
@@ -45,13 +46,13 @@ on("layout", () => {
   const image = pen.createImageData(cells, cells);
   field.shown.paint(new Uint32Array(image.data.buffer));
   pen.putImageData(image, 0, 0);
-  field.shown.legend($("matrix-legend"));
   const [width, height] = [field.box.clientWidth, field.box.clientHeight];
   const phone = innerWidth <= 760 && !state.printing;
   field.left = phone ? 46 : 51;
   field.upper = 55;
   field.side = Math.max(60, Math.min(width - field.left - 12, height - field.upper - (phone ? 36 : 38)));
-  $("matrix-legend").style.left = field.left + "px";
+  field.shown.legend($("matrix-legend"));
+  $("matrix-legend").style.left = (field.side < 260 ? 14 : field.left) + "px";
   $("matrix-legend").style.right = "auto";
 });
 

@@ -29,12 +29,7 @@ function drawPanel() {
 }
 
 function mostLikeNow() {
-  const at = frameAt(state.time);
-  const found = [];
-  for (let k = 0; k < nearest.each; k++) {
-    const frame = nearest.frames[at * nearest.each + k];
-    if (frame >= 0) found.push({ time: frame / clip.rate, distance: nearest.distances[at * nearest.each + k] * nearest.quantum });
-  }
+  const found = nearestTo(state.time);
   const box = make("div", "idle", [make("h2", "", "Most like now"), make("p", "", WORDS.point)]);
   if (!found.length) box.append(make("p", "", WORDS.none));
   for (const { time, distance } of found) {
@@ -107,9 +102,8 @@ function sayNow(pair) {
 
 function nowSentence() {
   const held = stretchAt(state.time);
-  const at = frameAt(state.time) * nearest.each;
-  const frame = nearest.frames[at];
+  const [near] = nearestTo(state.time);
   const inside = held ? `, in ${patternName(held.pattern)}` : "";
-  const like = frame < 0 ? WORDS.none : `Most like it: ${clockWord(frame / clip.rate)}, ${apartWord(nearest.distances[at] * nearest.quantum)} apart.`;
+  const like = near ? `Most like it: ${clockWord(near.time)}, ${apartWord(near.distance)} apart.` : WORDS.none;
   return `Now ${clockWord(state.time)}${inside}. ${like}`;
 }

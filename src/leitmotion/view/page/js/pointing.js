@@ -117,7 +117,7 @@ field.top.addEventListener("keydown", (event) => {
 field.top.addEventListener("blur", () => state.hover && !field.top.matches(":hover") && pointAt(null));
 
 function openingPair() {
-  const frame = nearest.frames[frameAt(state.time) * nearest.each];
-  const two = frame < 0 ? Math.min(state.time + clip.seconds / 10, clip.last) : frame / clip.rate;
+  const [found] = nearestTo(state.time);
+  const two = found ? found.time : Math.min(state.time + clip.seconds / 10, clip.last);
   return { one: Math.min(state.time, two), two: Math.max(state.time, two) };
 }

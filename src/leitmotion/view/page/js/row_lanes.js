@@ -63,7 +63,7 @@ function buildLane(pattern, p) {
     bars,
     layout() {
       bars.forEach((bar, k) => layBar(bar, pattern, pattern.stretches[k]));
-      drawSmall(sized(figure, 34, 32), pattern.key / clip.rate, { x: 17, base: 31, height: 29, width: 32 });
+      drawSmall(sized(figure, 34, 32), pattern.key, { x: 17, base: 31, height: 29, width: 32 });
     },
     change() {
       const name = state.names[pattern.id];

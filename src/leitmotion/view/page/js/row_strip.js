@@ -12,14 +12,13 @@ const STRIP_APART = 78;
     layout(width) {
       const height = element.clientHeight;
       const pen = sized(canvas, timeline.element.clientWidth, height);
-      const fits = strips.filter((frames) => {
-        for (let k = 1; k < frames.length; k++) if (across((frames[k] - frames[k - 1]) / clip.rate) < STRIP_APART) return false;
-        return frames.length > 0;
+      const fits = strips.filter((times) => {
+        for (let k = 1; k < times.length; k++) if (across(times[k] - times[k - 1]) < STRIP_APART) return false;
+        return times.length > 0;
       });
-      const frames = fits.length ? fits.reduce((a, b) => (b.length > a.length ? b : a)) : strips[0] || [];
-      element.dataset.times = Array.from(frames, (f) => (f / clip.rate).toFixed(2)).join(" ");
-      for (const frame of frames) {
-        const time = frame / clip.rate;
+      const times = fits.reduce((a, b) => (b.length > a.length ? b : a), []);
+      element.dataset.times = Array.from(times, (time) => time.toFixed(2)).join(" ");
+      for (const time of times) {
         drawSmall(pen, time, { x: timeline.left + across(time), base: height - 4, height: height - 11, width: STRIP_APART - 8, row: true });
       }
     },

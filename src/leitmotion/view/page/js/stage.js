@@ -43,10 +43,8 @@ function drawStage() {
 function ghostMoment(pair, now) {
   if (pair) return { time: pair.two, pattern: sharedPattern(pair.one, pair.two) };
   if (!state.ghost) return null;
-  const frame = nearest.frames[frameAt(now) * nearest.each];
-  if (frame < 0) return null;
-  const time = clamp(frame / clip.rate + (now - frameAt(now) / clip.rate), 0, clip.last);
-  return { time, pattern: sharedPattern(now, time) };
+  const [found] = nearestTo(now);
+  return found ? { time: found.time, pattern: sharedPattern(now, found.time) } : null;
 }
 
 function drawGhost(pen, camera, ghost, pair) {

@@ -92,6 +92,7 @@ function readHash() {
   state.time = number("t", openingTime(), 0, clip.last);
   state.second = number("u", null, 0, clip.last);
   state.held = state.second !== null;
+  Object.assign(state, { hover: null, stripe: null, step: 0, bar: null });
   const chosen = patterns.findIndex((p) => p.id === parts.get("pattern"));
   state.pattern = chosen < 0 ? null : chosen;
   state.loop = chosen < 0 ? 0 : (stretchAt(state.time, chosen)?.stretch ?? 0);
@@ -108,5 +109,5 @@ function readHash() {
 
 // Nothing plays by itself: the page opens on the key posture of the pattern with the most time, else in the middle.
 function openingTime() {
-  return patterns.length ? patterns[0].key / clip.rate : Math.min(clip.last * 0.38, clip.last);
+  return patterns.length ? patterns[0].key : Math.min(clip.last * 0.38, clip.last);
 }
