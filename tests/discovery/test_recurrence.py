@@ -6,7 +6,7 @@ import pytest
 from leitmotion import body, features, io
 from leitmotion.datasets import compose_session
 from leitmotion.discovery import find_patterns
-from leitmotion.discovery.recurrence import letter
+from leitmotion.discovery.pattern import letter
 from leitmotion.features import FeatureSequence
 from leitmotion.motion import Motion, ParameterError
 

@@ -40,9 +40,7 @@ def align_locally(D, theta, still, still_distance, still_gain, ceiling, least):
     for i in range(N + 3):
         now, before, earlier = i % 3, (i - 1) % 3, (i - 2) % 3
         left = np.float32(0.0)
-        for j in range(
-            N
-        ):  # row i - 3 is complete: note where it ends a path, and the best of neighbouring ends
+        for j in range(N):  # row i - 3 is complete: of neighbouring ends of paths note the best
             right = S[now, j + 1] if j + 1 < N else np.float32(0.0)
             ends = S[now, j] > least and not extended[now, j] and S[now, j] >= left and S[now, j] > right
             left = S[now, j]
@@ -60,12 +58,6 @@ def align_locally(D, theta, still, still_distance, still_gain, ceiling, least):
         while first < N and not D[i, first] >= min(theta[i], theta[first]):
             first += 1
         for j in range(first, N):
-            if still[i] or still[j]:
-                gain = still_gain if D[i, j] < still_distance else np.float32(-1.0)
-            else:
-                gain = np.float32(1.0) - D[i, j] / min(theta[i], theta[j])
-                if not gain > -1.0:  # also where nothing was seen
-                    gain = np.float32(-1.0)
             h, s, step = np.float32(0.0), np.float32(0.0), START
             if i > 0 and H[before, j - 1] > h:
                 h, s, step = H[before, j - 1], S[before, j - 1], DIAGONAL
@@ -73,6 +65,15 @@ def align_locally(D, theta, still, still_distance, still_gain, ceiling, least):
                 h, s, step = H[earlier, j - 1], S[earlier, j - 1], STEEP
             if i > 0 and j > 1 and H[before, j - 2] > h + 1e-6:
                 h, s, step = H[before, j - 2], S[before, j - 2], FLAT
+            closeness = min(theta[i], theta[j])
+            if step == START and not D[i, j] < closeness:
+                continue  # most cells: no path comes here and none begins
+            if still[i] or still[j]:
+                gain = still_gain if D[i, j] < still_distance else np.float32(-1.0)
+            else:
+                gain = max(np.float32(1.0) - D[i, j] / closeness, np.float32(-1.0))
+                if not gain >= -1.0:  # nothing was seen
+                    gain = np.float32(-1.0)
             h = min(h, ceiling) + gain
             if h > 0:
                 H[now, j], S[now, j], step_into[i, j] = h, s + gain, step

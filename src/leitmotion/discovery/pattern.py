@@ -134,3 +134,29 @@ class Patterns(Noun):
 
     def __len__(self) -> int:
         return len(self.patterns)
+
+
+def letter(k: int) -> str:
+    """Letter of the k-th pattern: A to Z, then AA, AB and so on.
+
+    Parameters
+    ----------
+    k : int
+        0 for the first.
+
+    Returns
+    -------
+    str
+        Its letter or letters.
+
+    Examples
+    --------
+    >>> letter(0), letter(25), letter(26)
+    ('A', 'Z', 'AA')
+    """
+    text = ""
+    k += 1
+    while k:
+        k, rest = divmod(k - 1, 26)
+        text = chr(ord("A") + rest) + text
+    return text

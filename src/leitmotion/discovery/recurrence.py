@@ -18,7 +18,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from leitmotion.discovery.families import Run, cyclic_runs
-from leitmotion.discovery.pattern import Pattern, PatternPair, Patterns
+from leitmotion.discovery.pattern import Pattern, PatternPair, Patterns, letter
 from leitmotion.discovery.returns import Return, Theme, returns_of, themes_of
 from leitmotion.discovery.stripes import Likeness, Stripe, likeness, part, trace_stripes
 from leitmotion.features.resampling import resample
@@ -115,32 +115,6 @@ def find_recurrences(
         parameters,
         "" if named else _nearest_miss(traced, features, min_contrast),
     )
-
-
-def letter(k: int) -> str:
-    """Letter of the k-th pattern: A to Z, then AA, AB and so on.
-
-    Parameters
-    ----------
-    k : int
-        0 for the first.
-
-    Returns
-    -------
-    str
-        Its letter or letters.
-
-    Examples
-    --------
-    >>> letter(0), letter(25), letter(26)
-    ('A', 'Z', 'AA')
-    """
-    text = ""
-    k += 1
-    while k:
-        k, rest = divmod(k - 1, 26)
-        text = chr(ord("A") + rest) + text
-    return text
 
 
 class _Scribe:

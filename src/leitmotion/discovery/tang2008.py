@@ -20,8 +20,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from leitmotion.discovery.pattern import Pattern, PatternPair, Patterns
-from leitmotion.discovery.recurrence import letter
+from leitmotion.discovery.pattern import Pattern, PatternPair, Patterns, letter
 from leitmotion.features.resampling import resample
 from leitmotion.features.sequence import FeatureSequence
 from leitmotion.motion.errors import ParameterError
