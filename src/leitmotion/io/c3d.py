@@ -85,8 +85,9 @@ def _positions(source: Source, header: Header, warnings: list[str]) -> np.ndarra
         table = numbers.reshape(frames, width)[:, : 4 * header.points]
         scale = 1.0
     quads = table.reshape(frames, header.points, 4)
-    positions = np.multiply(quads[..., :3], scale, dtype=np.float64)
-    unseen = quads[..., 3] < 0
+    with np.errstate(invalid="ignore", over="ignore"):  # a float may hold any bits
+        positions = np.multiply(quads[..., :3], scale, dtype=np.float64)
+        unseen = quads[..., 3] < 0
     if unseen.any():
         positions[unseen] = np.nan
     return unseen_in_origin(positions, warnings)

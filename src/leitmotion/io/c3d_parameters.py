@@ -41,7 +41,8 @@ class Machine:
         if self.processor != DEC:
             return np.frombuffer(content, dtype=f"{self.order}f4")
         halves = np.frombuffer(content, dtype="<u2").reshape(-1, 2)
-        return np.ascontiguousarray(halves[:, ::-1]).view("<f4").reshape(-1) / np.float32(4.0)
+        with np.errstate(invalid="ignore"):  # a damaged file may hold any bits
+            return np.ascontiguousarray(halves[:, ::-1]).view("<f4").reshape(-1) / np.float32(4.0)
 
 
 @dataclass(frozen=True)

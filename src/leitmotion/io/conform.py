@@ -88,21 +88,15 @@ def _up(draft: Draft, options: Options, positions: np.ndarray, take: SkeletonTak
         if axis not in _TO_Y_UP:
             raise ParameterError(f"up must be one of {', '.join(_TO_Y_UP)}, got {options.up!r}.")
         return Finding(axis, "given", "up given by the caller")
-    judged = judge_up(positions, take)
     if draft.up is None:
-        return judged
+        return judge_up(positions, take)
     better = contradict_up(draft.up, positions)
-    if better is not None:
-        draft.warnings.append(
-            f"The vertical was taken as {better.value}: {better.reason}; --up {draft.up.value} overrules this."
-        )
-        return better
-    if judged.value != draft.up.value and judged.reason.startswith("the head"):
-        draft.warnings.append(
-            f"The vertical was taken as {draft.up.value} ({draft.up.reason}), but the head is above the feet along "
-            f"{judged.value}: if that is right, state it with --up {judged.value}."
-        )
-    return draft.up
+    if better is None:
+        return draft.up
+    draft.warnings.append(
+        f"The vertical was taken as {better.value}: {better.reason}; --up {draft.up.value} overrules this."
+    )
+    return better
 
 
 def _unit(

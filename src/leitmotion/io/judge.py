@@ -16,6 +16,8 @@ _STANDING = 1.7  # metres, the largest distance between two points of a standing
 _ANKLE_TO_HEAD = 1.5  # metres, along the joints, of an adult
 _USUAL = 1.35  # by which factor a body may differ from the usual one without a word
 _LOOKS = 32  # frames looked at
+_STEADY = 0.08  # how far, of the body's size, the lowest point may wander on a ground
+_GROUND = 0.2  # how far, of the body's size, a ground may lie from zero
 _UPRIGHT = 0.8  # share of the way from feet to head that must lie along one axis
 
 _HIGH = ("head", "fhd", "bhd", "neck", "c7", "clav", "shoulder", "sho", "acro", "chest", "thorax", "ster")
@@ -82,14 +84,22 @@ def judge_up(positions: np.ndarray, take: SkeletonTake | PointTake) -> Finding:
     high = [k for k, word in enumerate(words) if any(part in word for part in _HIGH)]
     low = [k for k, word in enumerate(words) if any(part in word for part in _LOW)]
     if high and low:
-        axis = _along(axes, _median(_mean(positions[:, high]) - _mean(positions[:, low])))
-        if axis:
-            return Finding(axis, "guessed", "the head is above the feet along it")
+        seen = _along(axes, _median(_mean(positions[:, high]) - _mean(positions[:, low])))
+        rest = ""
         if isinstance(take, SkeletonTake):
-            rest = _rest(take)
-            axis = _along(axes, rest[high].mean(axis=0) - rest[low].mean(axis=0))
-            if axis:
-                return Finding(axis, "guessed", "the head is above the feet along it in the rest pose")
+            bind = _rest(take)
+            rest = _along(axes, bind[high].mean(axis=0) - bind[low].mean(axis=0))
+        if seen and seen == rest:
+            return Finding(seen, "guessed", "the head is above the feet along it")
+        # who lies is long along another axis than the vertical; the ground tells them apart
+        near = min((seen, rest), key=lambda axis: _wander(axis, positions))
+        if isinstance(take, SkeletonTake) and not np.isfinite(_wander(near, positions)):
+            near = min(("y", "z") if "z" in axes else ("y",), key=lambda axis: _wander(axis, positions))
+        if seen and near != seen and np.isfinite(_wander(near, positions)):
+            return Finding(near, "guessed", "the ground lies along it, and the body mostly does not stand")
+        if seen or rest:
+            where = "" if seen else " in the rest pose"
+            return Finding(seen or rest, "guessed", f"the head is above the feet along it{where}")
     spread = _median(_reach(positions))
     longest = int(np.argmax(spread))
     if spread[longest] > 1.2 * np.delete(spread, longest).max():
@@ -190,25 +200,42 @@ def judge_sides(motion: Motion) -> Finding | None:
         "right" for right-handed; "left" where the sides look swapped; None where it cannot be told.
     """
     words = [name.lower() for name in motion.skeleton.names]
-    knees = [
-        k
-        for side in "lr"
-        if (k := _find(words, side, ("knee", "lowerleg", "tibia", "shin", "leg"))) is not None
-    ]
-    feet = [k for side in "lr" if (k := _find(words, side, ("ankle", "foot"))) is not None]
-    toes = [k for side in "lr" if (k := _find(words, side, ("toe",))) is not None]
-    if not len(knees) == len(feet) == len(toes) == 2:
+    hips = _pair(words, ("upleg", "upperleg", "thigh", "femur", "hip"))
+    ankles, toes = _pair(words, ("ankle", "foot")), _pair(words, ("toe",))
+    if not len(hips) == len(ankles) == len(toes) == 2:
         return None
     pose = forward_kinematics(motion[:: max(1, len(motion) // _LOOKS)]).positions
-    left = pose[:, knees[0]] - pose[:, knees[1]]
-    forward = (pose[:, toes] - pose[:, feet]).mean(axis=1)
+    left = pose[:, hips[0]] - pose[:, hips[1]]
+    feet = pose[:, toes] - pose[:, ankles]
+    standing = np.argmin(
+        pose[:, ankles, 1], axis=1
+    )  # the foot on the ground points forward, the other may hang
+    forward = feet[np.arange(len(feet)), standing]
     facing = left[:, 0] * forward[:, 2] - left[:, 2] * forward[:, 0]
-    vote = float(np.sign(facing).mean())
-    if abs(vote) < 0.5:
-        return None
-    if vote > 0:
-        return Finding("right", "guessed", "the left knee is on the left of where the toes point")
-    return Finding("left", "guessed", "the knee named left is on the right of where the toes point")
+    vote = float(facing.sum() / max(np.abs(facing).sum(), 1e-12))
+    if vote > 0.5:
+        return Finding(
+            "right", "guessed", "the left hip is on the left of where the foot on the ground points"
+        )
+    if vote < -0.8:
+        return Finding(
+            "left", "guessed", "the hip named left is on the right of where the foot on the ground points"
+        )
+    return None
+
+
+def _wander(axis: str, positions: np.ndarray) -> float:
+    """How far, of the body's size, its lowest point along an axis wanders; infinite where that is no ground."""
+    size = _median(_reach(positions)).max()
+    if not axis or size == 0.0:
+        return np.inf
+    heights = positions[..., "xyz".index(axis[-1])] * (-1.0 if axis[0] == "-" else 1.0)
+    lowest = np.where(np.isfinite(heights), heights, np.inf).min(axis=1) / size
+    lowest = lowest[np.isfinite(lowest)]
+    if lowest.size == 0 or abs(float(np.median(lowest))) > _GROUND:
+        return np.inf
+    wander = float(np.ptp(np.percentile(lowest, (10, 90))))
+    return wander if wander < _STEADY else np.inf
 
 
 def _along(axes: str, rise: np.ndarray) -> str:
@@ -251,19 +278,25 @@ def _size(positions: np.ndarray) -> float:
     return float(np.median(sizes)) if sizes else 0.0
 
 
+def _pair(words: list[str], parts: tuple[str, ...]) -> list[int]:
+    """Joints of the left and of the right side whose name holds one of the parts, the first of each that there is."""
+    return [k for side in ("left", "right") if (k := _find(words, side, parts)) is not None]
+
+
 def _find(words: list[str], side: str, parts: tuple[str, ...]) -> int | None:
-    """First joint of a side whose name holds one of the parts; the upper leg does not count as a leg."""
-    whole = {"l": "left", "r": "right"}[side]
+    letter = side[0]
     for part in parts:
         for k, word in enumerate(words):
             bare = word.rpartition(":")[2]
-            if part not in bare or "up" in bare or "thigh" in bare:
-                continue
             rest = bare.replace(part, "|", 1)
             if (
-                whole in rest
-                or rest.startswith((f"{side}|", f"{side}_", f"{side}."))
-                or rest.endswith((f"_{side}", f".{side}", f"|{side}"))
+                "|" in rest
+                and "hipjoint" not in bare
+                and (  # CMU's hip joints are bones that start in the root
+                    side in rest
+                    or rest.startswith((f"{letter}|", f"{letter}_", f"{letter}."))
+                    or rest.endswith((f"_{letter}", f".{letter}", f"|{letter}"))
+                )
             ):
                 return k
     return None

@@ -143,8 +143,9 @@ def split_window(source: str | PathLike[str]) -> tuple[Path, tuple[str, str] | N
 
     Examples
     --------
-    >>> split_window("clip.bvh[12s:45s]")
-    (PosixPath('clip.bvh'), ('12s', '45s'))
+    >>> path, window = split_window("clip.bvh[12s:45s]")
+    >>> path.name, window
+    ('clip.bvh', ('12s', '45s'))
     """
     text = os.fspath(source)
     match = _WINDOW.match(text)
