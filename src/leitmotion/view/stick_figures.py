@@ -84,7 +84,7 @@ def _seen(body: Body, frame: int) -> dict[str, np.ndarray]:
     """Place the seen points before the viewer: right, up, toward; the pelvis at 0."""
     points = np.zeros((len(body.roles), 3))
     points[:, : body.positions.shape[2]] = body.positions[frame]
-    known: np.ndarray = np.isfinite(points).all(axis=1)
+    known = np.asarray(np.isfinite(points).all(axis=1))
     if not known.any():
         return {}
     has_pelvis = "pelvis" in body.roles and known[body.roles.index("pelvis")]
