@@ -162,6 +162,7 @@ def test_a_short_last_row_is_left_out_and_told(tmp_path):
     [
         ("HIERARCHY", "", "line 1: expected the word HIERARCHY"),
         ("JOINT Head", "JINT Head", "line 6: expected ROOT, JOINT"),
+        ("OFFSET 0 70 0", "\x0b{", "line 8: expected ROOT, JOINT"),
         ("OFFSET 0 70 0", "OFFSET 0 70", "line 8: expected 3 numbers"),
         ("OFFSET 0 70 0", "OFFSET 0 nan 0", "line 8: expected 3 numbers"),
         ("CHANNELS 6", "CHANNELS 5", "line 5: expected 5 channels, found 6"),

@@ -104,6 +104,8 @@ def scan_amc(text, i, labels, borders, counts, values, numbers, doubts):
         i = _skip_space(text, i, n)
         if i < n and text[i] != _LF:
             return frame, doubtful, NOT_A_FRAME, start, -1
+        if frame == values.shape[0]:
+            return frame, doubtful, DONE, start, -1
         numbers[frame] = number
         column = frame * channels
         for b in range(bones):

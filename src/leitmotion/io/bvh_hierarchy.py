@@ -90,7 +90,7 @@ class _Tree:
                 self._brace(mark, position)
             return
         brace = line.endswith("{")
-        words = line.rstrip("{").split(None, 1)
+        words = line.rstrip("{").split(None, 1) or [""]
         word, rest = words[0].upper(), words[1].strip() if len(words) > 1 else ""
         if word in ("ROOT", "JOINT"):
             self._joint(word, rest, position)

@@ -15,7 +15,7 @@ import re
 
 import numpy as np
 
-from leitmotion.io.c3d_parameters import BLOCK, DEC, Header, read_header
+from leitmotion.io.c3d_parameters import BLOCK, Header, read_header
 from leitmotion.io.points import distinct, split_people, unseen_in_origin
 from leitmotion.io.reading import Draft, Finding, Source
 from leitmotion.io.units import unit_named
@@ -53,9 +53,7 @@ def read(source: Source) -> Draft:
         raise source.error("expected labelled markers, found computed or unlabelled points only.")
     names = distinct([labels[k] or f"point{k + 1}" for k in kept], warnings)
     takes = split_people(names, positions if len(kept) == header.points else positions[:, kept])
-    return Draft(
-        takes, rate=_rate(source, header), unit=_unit(header), up=_up(header), warnings=warnings
-    )  # fmt: skip
+    return Draft(takes, rate=_rate(source, header), unit=_unit(header), up=_up(header), warnings=warnings)
 
 
 def _positions(source: Source, header: Header, warnings: list[str]) -> np.ndarray:
@@ -78,11 +76,7 @@ def _positions(source: Source, header: Header, warnings: list[str]) -> np.ndarra
         table = machine.integers(data).reshape(frames, width)[:, : 4 * header.points]
         scale = header.scale or header.number("POINT", "SCALE") or 1.0
     else:
-        if machine.processor == DEC or header.analog == 0:
-            numbers = machine.floats(data)
-        else:
-            numbers = np.frombuffer(data, dtype=f"{machine.order}f4")
-        table = numbers.reshape(frames, width)[:, : 4 * header.points]
+        table = machine.floats(data).reshape(frames, width)[:, : 4 * header.points]
         scale = 1.0
     quads = table.reshape(frames, header.points, 4)
     with np.errstate(invalid="ignore", over="ignore"):  # a float may hold any bits
@@ -112,9 +106,7 @@ def _frames(header: Header, fit: int, warnings: list[str]) -> int:
     if not 1 <= frames <= fit:
         possible = [count for count in counts.values() if 1 <= count <= fit]
         taken = max(possible) if possible else fit
-        warnings.append(
-            f"The header promises {frames} frames, the file holds {fit}; {taken} were read."
-        )  # fmt: skip
+        warnings.append(f"The header promises {frames} frames, the file holds {fit}; {taken} were read.")
         return taken
     others = {where: count for where, count in counts.items() if count != frames and count != _FULL}
     if others and not full:
