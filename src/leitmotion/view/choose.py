@@ -18,7 +18,7 @@ MISSING = {"i2": -32768, "i4": -2147483648}
 NEAREST = 3
 NEAREST_APART_S = 0.9
 STRIP_CANDIDATES = 360
-STRIP_SLACK = 0.94
+STRIP_SLACK = 0.955
 SOLE = 0.026
 LONG_PATH = 1.5
 THREE_QUARTERS = 0.62
@@ -101,7 +101,7 @@ def choose_key(pattern: Pattern, distances: np.ndarray, rate: float) -> int:
 def choose_strips(distances: np.ndarray, counts: Sequence[int]) -> list[np.ndarray]:
     """Choose the postures of the strip for several widths: each as unlike its neighbours as its place allows.
 
-    The postures keep a distance in time of at least 0.94 of an even spacing, and half of it to both ends; under
+    The postures keep a distance in time of at least 0.955 of an even spacing, and half of it to both ends; under
     that rule the sum of the distances between neighbours is the greatest possible.
 
     Parameters

@@ -192,7 +192,7 @@ def _body(body: Body, step: int, unit: _Unit, patterns: Patterns) -> dict[str, A
         "metres": body.unit == "m",
         "girth": size / FULL_SIZE,
         "height": _height(drawn) + (HEAD_TOP * size / FULL_SIZE if "head" in index else 0.0),
-        "reach": _reach(drawn, floor) + 0.06 * size / FULL_SIZE,
+        "reach": _reach(drawn, floor) + HEAD_TOP * size / FULL_SIZE,
         "floor": floor,
         "yaw": 0.0 if flat else look_across(drawn, body.facing[::step]),
         "positions": _millimetres(drawn),
