@@ -178,6 +178,10 @@ def test_angles_may_be_radians(tmp_path):
     text = AMC.replace("90", str(np.pi / 2)).replace("DEGREES", "RADIANS")
     radians = places(put(tmp_path, angle="rad", back=str(np.pi / 6), amc=text))
     np.testing.assert_allclose(radians, degrees, atol=1e-12)
+    mixed = places(put(tmp_path, back=str(np.pi / 6), amc=text))  # the frames' own word counts
+    np.testing.assert_allclose(mixed, degrees, atol=1e-12)
+    silent = places(put(tmp_path, angle="rad", back=str(np.pi / 6), amc=text.replace(":RADIANS\n", "")))
+    np.testing.assert_allclose(silent, degrees, atol=1e-12)
 
 
 def test_the_root_follows_its_order(tmp_path):
@@ -281,7 +285,9 @@ def test_the_skeleton_of_a_recording(tmp_path, amc, asfs, found):
     for name in [amc, *asfs]:
         (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
         (tmp_path / name).touch()
-    assert find_asf(tmp_path / amc) == tmp_path / found
+    path, reason = find_asf(tmp_path / amc)
+    assert path == tmp_path / found
+    assert ("only" in reason) == (found == "skeleton.asf")
 
 
 @pytest.mark.parametrize(

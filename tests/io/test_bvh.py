@@ -264,6 +264,8 @@ def test_points_are_no_bvh(tmp_path):
     markers = io.read(_marker_table(tmp_path))
     with pytest.raises(ParameterError, match="skeleton"):
         io.write(markers, tmp_path / "clip.bvh")
+    with pytest.raises(ParameterError, match="options none, got unit"):
+        io.write(markers, tmp_path / "clip.npz", unit="cm")
     with pytest.raises(ParameterError, match=r"written as .*\.bvh"):
         io.write(markers, tmp_path / "clip.fbx")
 

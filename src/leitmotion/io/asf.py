@@ -88,7 +88,7 @@ def read_asf(source: Source) -> Acclaim:
     )
 
 
-def find_asf(amc: Path) -> Path:
+def find_asf(amc: Path) -> tuple[Path, str]:
     """Find the ASF that belongs to an AMC.
 
     In the AMC's folder, then in up to three folders above, the one whose name shares the longest leading tokens with
@@ -101,8 +101,8 @@ def find_asf(amc: Path) -> Path:
 
     Returns
     -------
-    Path
-        The skeleton.
+    tuple of Path and str
+        The skeleton, and why it is this one.
 
     Raises
     ------
@@ -117,13 +117,14 @@ def find_asf(amc: Path) -> Path:
         scored = [(_shared(wanted, _tokens(path)), path) for path in here]
         best = max((score for score, _ in scored), default=0)
         if best > 0:
-            return next(path for score, path in scored if score == best)
+            nearest = next(path for score, path in scored if score == best)
+            return nearest, "its name shares the longest beginning with the AMC's"
         seen += here
         if folder.parent == folder:
             break
         folder = folder.parent
     if len(seen) == 1:
-        return seen[0]
+        return seen[0], "it is the only ASF file in the AMC's folder and above"
     found = f"{len(seen)} of other names: {', '.join(p.name for p in seen[:8])}" if seen else "none"
     raise FormatError(
         f"{amc.name}: expected its skeleton, an ASF file that starts like it, in its folder or up to three above, "

@@ -12,6 +12,7 @@ References
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
 import numpy as np
@@ -60,6 +61,7 @@ BODYBUILDER = frozenset(
 """Bones of the skeleton of the CMU and HDM05 archives."""
 
 _USUAL_RATE = 120.0
+_HEAD = 4096  # bytes that hold the header
 
 
 def read(source: Source) -> Draft:
@@ -90,7 +92,7 @@ def read(source: Source) -> Draft:
             "1/0.45 inch", "guessed", "the bones are those of the CMU and HDM05 archives, whose unit it is"
         )
     return Draft(
-        [_take(acclaim, channels, dofs)],
+        [_take(acclaim, channels, dofs, degrees=_degrees(source, acclaim))],
         rate=Finding(_USUAL_RATE, "guessed", "an AMC states no rate; the CMU and HDM05 archives have 120 Hz"),
         unit=unit,
         up=Finding("y", "guessed", "an ASF states no vertical, and Y is the format's usual one"),
@@ -102,11 +104,8 @@ def read(source: Source) -> Draft:
 def _skeleton_of(source: Source) -> tuple[Path, str, str]:
     if source.options.skeleton is not None:
         return Path(source.options.skeleton), "given", "skeleton given by the caller"
-    return (
-        find_asf(source.path),
-        "guessed",
-        "of the ASF files in the AMC's folder and above, its name fits best",
-    )
+    path, reason = find_asf(source.path)
+    return path, "guessed", reason
 
 
 def _channels(
@@ -217,8 +216,14 @@ def _check_numbers(numbers: np.ndarray, warnings: list[str]) -> None:
         )
 
 
+def _degrees(source: Source, acclaim: Acclaim) -> bool:
+    """Whether the angles of the frames are degrees: the AMC's word counts before the ASF's."""
+    stated = re.search(rb"^\s*:(DEGREES|RADIANS)\b", source.content[:_HEAD], re.IGNORECASE | re.MULTILINE)
+    return acclaim.degrees if stated is None else stated[1].upper() == b"DEGREES"
+
+
 def _take(
-    acclaim: Acclaim, channels: np.ndarray, dofs: dict[str, tuple[int, tuple[str, ...]]]
+    acclaim: Acclaim, channels: np.ndarray, dofs: dict[str, tuple[int, tuple[str, ...]]], *, degrees: bool
 ) -> SkeletonTake:
     frames, joints = len(channels), len(acclaim.bones)
     offsets = np.zeros((joints, 3))
@@ -232,7 +237,7 @@ def _take(
             offsets[j] = acclaim.position
         first, letters = dofs.get(bone.name, (0, ()))
         columns = {dof: channels[:, first + k] for k, dof in enumerate(letters)}
-        quaternions[:, j] = _rotation(bone.axis, columns, acclaim.degrees, frames)
+        quaternions[:, j] = _rotation(bone.axis, columns, degrees, frames)
         positions[:, j] = offsets[j]
         moved = [columns.get(dof) for dof in ("tx", "ty", "tz")]
         if any(shift is not None for shift in moved):

@@ -6,6 +6,7 @@ but not read has a sentence instead, which says what to do.
 
 from __future__ import annotations
 
+import inspect
 import re
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -13,7 +14,7 @@ from importlib import import_module
 from typing import Any
 
 from leitmotion.io.reading import Draft, Source
-from leitmotion.motion import Motion, Trajectories
+from leitmotion.motion import Motion, ParameterError, Trajectories
 
 
 @dataclass(frozen=True)
@@ -45,7 +46,14 @@ class Format:
 
     def write(self, recording: Motion | Trajectories, **options: Any) -> bytes:
         """Make the bytes of a file of this format."""
-        content: bytes = import_module(f"leitmotion.io.{self.module}").write(recording, **options)
+        write = import_module(f"leitmotion.io.{self.module}").write
+        known = [name for name, p in inspect.signature(write).parameters.items() if p.kind is p.KEYWORD_ONLY]
+        unknown = sorted(set(options) - set(known))
+        if unknown:
+            raise ParameterError(
+                f"{self.name} files have the options {', '.join(known) or 'none'}, got {', '.join(unknown)}."
+            )
+        content: bytes = write(recording, **options)
         return content
 
 
