@@ -26,7 +26,7 @@ TOUCH = 0.25  # a pause of a quarter of the lag still joins two cycles
 ALIGNED = 0.6  # stripes whose joint extents overlap by this much (of their union) begin and end together
 MULTIPLE = 0.6  # a longer period is a multiple where shorter ones fill this much of it
 SAME_PERIOD = 1.5  # ratio of periods within which two runs may be one movement
-WHOLE = 0.85  # share of a cycle that counts as one at the end of a stretch
+WHOLE = 0.75  # share of a cycle that counts as one at the end of a stretch, where the movement dies down
 
 
 @dataclass
