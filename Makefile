@@ -36,7 +36,7 @@ bench: $(VENV)/.bench  ## Measure speed and quality, rewrite the tables of docs/
 	$(BIN)/python benchmarks/run.py
 
 docs-pictures: $(VENV)/.test  ## Make the pictures of the documentation anew
-	$(BIN)/python docs/make_pictures.py
+	$(BIN)/python docs/make_screenshots.py
 
 clean:  ## Remove what make has made
 	rm -rf $(VENV) demo build dist .pytest_cache .mypy_cache .ruff_cache .hypothesis
