@@ -105,7 +105,8 @@ def frame_rate(text: str, source: Source) -> Finding:
     unit = 10.0**-decimals
     near = min((max(1.0, round(exact)), *_NTSC), key=lambda rate: abs(1.0 / rate - seconds))
     if abs(1.0 / near - seconds) < unit and abs(near / exact - 1.0) < _SNAP:
-        return Finding(float(near), "read", f"frame time {text} s, taken as {near:.6g} Hz")
+        taken = "" if 1.0 / near == seconds else f", taken as {near:.6g} Hz"
+        return Finding(float(near), "read", f"frame time {text} s{taken}")
     for digits in (
         6,
         9,

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from typing import NamedTuple
 
@@ -128,14 +129,15 @@ def settle(source: Source, values: np.ndarray, doubts: np.ndarray, *, missing: b
         When a token is no number.
     """
     flat = values.reshape(-1)
+    content = source.content
     for place, start, stop in doubts.tolist():
-        token = source.content[start:stop].strip()
+        token = content[start:stop].strip()
         try:
-            number = np.nan if b"_" in token else float(token)
+            number = math.nan if b"_" in token else float(token)
         except ValueError:
-            number = np.nan
-        if not np.isfinite(number):
+            number = math.nan
+        if not math.isfinite(number):
             if not (missing and token.lower().lstrip(b"+-") in MISSING_WORDS):
                 raise source.fault(start, "a number", repr(token.decode("latin-1")))
-            number = np.nan
+            number = math.nan
         flat[place] = number
