@@ -74,6 +74,8 @@ def test_frames_of_another_rate_give_way_to_seconds(tmp_path):
         ("a.csv", "start,stop\n5,5\n", "stop after its start"),
         ("a.csv", "start,stop\n-5,5\n", "frame 0 or later"),
         ("a.csv", "start,stop\n0,inf\n", "finite stop"),
+        ("a.csv", "start,stop\n0,99999999999999999999\n", "line 2: expected frames below"),
+        ("a.txt", "86 01\nwalk 1 2² 3\njump 1 2 3\n", "line 2: expected a trial or a name"),
         ("a.json", "{", "no JSON"),
         ("a.json", '{"x": 1}', "expected a list of stretches"),
         ("a.json", "[1, 2]", "expected a list of stretches"),

@@ -23,6 +23,7 @@ from leitmotion.motion import FormatError, ParameterError, Segmentation
 
 _ACA_RATE = 120.0
 _BLOCK = 12  # frames of 120 Hz in a block of the mocap6 labels
+_LAST = 2.0**53  # beyond it frames are no whole numbers
 _LISTS = ("segments", "stretches", "repetitions", "occurrences", "spans")
 _COLUMNS = ("start", "stop", "start_s", "stop_s", "label", "score")
 _ALIASES = {"end": "stop", "end_s": "stop_s", "begin": "start", "name": "label", "start_frame": "start",
@@ -190,6 +191,8 @@ def _row(entry: dict[str, Any], rate: float, where: str) -> Row:
             f"{where}: expected start and stop (frames) or start_s and stop_s (seconds), "
             f"found {', '.join(map(str, entry)) or 'nothing'}."
         )
+    if not max(abs(start), abs(stop)) < _LAST:
+        raise FormatError(f"{where}: expected frames below {_LAST:.0e}, found {start:g} and {stop:g}.")
     label = entry.get("label")
     return start, stop, "" if label is None else str(label), values.get("score", math.nan)
 
@@ -257,7 +260,7 @@ def _from_aca(text: str, rate: float, trial: str | None, path: Path) -> list[Row
         words = line.split()
         if len(words) == 2 and words[0].isdigit():
             begin, rows = 0.0, blocks.setdefault("_".join(words), [])
-        elif len(words) == 4 and words[2].isdigit():
+        elif len(words) == 4 and re.fullmatch(r"[0-9]{1,12}", words[2]):
             end = (
                 float(words[2]) * rate / _ACA_RATE
             )  # the last frame counted from 1 is the stop counted from 0
