@@ -11,6 +11,7 @@ import shutil
 import sys
 import tempfile
 from collections.abc import Callable
+from io import BytesIO
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -21,7 +22,7 @@ SCREENSHOTS = Path(__file__).resolve().parent / "screenshots"
 BROWSERS = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable")
 WALK, LIE = "cmu86/86_01.amc", "hdm05/lieDownFloor/*.amc"
 PAPER = 688
-DENSITY = 1.25
+DENSITY = 1.5
 
 
 class View(NamedTuple):
@@ -121,7 +122,7 @@ def take(browser: str, pages: dict[str, Path]) -> None:
             page.goto(f"{pages[view.recording].as_uri()}#{view.address}")
             view.prepare(page)
             page.wait_for_timeout(400)
-            path = SCREENSHOTS / f"{view.name}.png"
+            path = SCREENSHOTS / f"{view.name}.webp"
             size = page.viewport_size
             if view.whole:
                 size["height"] = page.evaluate(
@@ -129,9 +130,8 @@ def take(browser: str, pages: dict[str, Path]) -> None:
                 )
                 page.set_viewport_size(size)
                 page.wait_for_timeout(200)
-            page.screenshot(path=path)
-            with Image.open(path) as picture:
-                picture.convert("RGB").save(path, optimize=True)
+            with Image.open(BytesIO(page.screenshot())) as picture:
+                picture.convert("RGB").save(path, quality=90, method=6)
             print(path.relative_to(Path.cwd()) if path.is_relative_to(Path.cwd()) else path)
             context.close()
         chromium.close()

@@ -62,8 +62,29 @@ function drawDifferences(pen, camera, pair) {
   }));
   for (const line of [...lines].reverse()) drawDifference(pen, line);
   const middle = project(camera, ...rootOf(posture), {}).x;
-  const taken = [];
+  const taken = [...bodyBoxes(camera), ...lines.flatMap((line) => [spot(line.a, 7), spot(line.b, 7)])];
   for (const line of lines) if (line.named) nameDifference(pen, line, middle, taken);
+}
+
+const spot = (at, r) => ({ left: at.x - r, right: at.x + r, top: at.y - r, bottom: at.y + r });
+
+// What a name should not cover: the parts of the figure, as boxes along them.
+function bodyBoxes(camera) {
+  const boxes = [];
+  for (const part of partsOf(posture)) {
+    const seen = part.points.map((p) => project(camera, p[0], p[1], p[2], {}));
+    if (part.kind === "torso") {
+      const [xs, ys] = [seen.map((p) => p.x), seen.map((p) => p.y)];
+      boxes.push({ left: Math.min(...xs) - 8, right: Math.max(...xs) + 8, top: Math.min(...ys) - 8, bottom: Math.max(...ys) + 8 });
+    } else if (part.kind === "head") boxes.push(spot(seen[0], HEAD[1] * clip.girth * seen[0].scale));
+    else if (seen.length === 2) {
+      for (const along of [0, 0.25, 0.5, 0.75, 1]) {
+        const at = { x: seen[0].x + (seen[1].x - seen[0].x) * along, y: seen[0].y + (seen[1].y - seen[0].y) * along };
+        boxes.push(spot(at, 7));
+      }
+    }
+  }
+  return boxes;
 }
 
 function drawDifference(pen, { a, b, named }) {
@@ -85,18 +106,28 @@ function drawDifference(pen, { a, b, named }) {
   pen.globalAlpha = 1;
 }
 
-// The name stands on the side away from the body, moved down until it covers no other.
+// The name stands beside its joint, on the side away from the body, at the nearest place where it covers nothing.
 function nameDifference(pen, line, middle, taken) {
   const text = `${line.word} ${apartWhole(line.apart)}`;
   pen.font = `600 13px ${theme.font}`;
   const width = pen.measureText(text).width;
   const onRight = (line.a.x + line.b.x) / 2 >= middle;
-  let x = onRight ? Math.max(line.a.x, line.b.x) + 12 : Math.min(line.a.x, line.b.x) - 12 - width;
-  x = clamp(x, 6, Math.max(stage.width - width - 6, 6));
   const wanted = onRight === line.b.x > line.a.x ? line.b.y : line.a.y;
-  const free = (y) => taken.every((t) => Math.abs(t.y - y) >= 18 || t.x > x + width + 4 || x > t.x + t.width + 4);
-  let y = clamp(wanted, 50, stage.height - 14);
-  for (let k = 1; k < 24 && !free(y); k++) y = clamp(wanted + (k % 2 ? 1 : -1) * Math.ceil(k / 2) * 9, 50, stage.height - 14);
-  taken.push({ x, y, width });
-  label(pen, text, x, y, theme.tokens.diff);
+  let best = null;
+  for (const side of [onRight, !onRight]) {
+    for (let away = 0; away <= 90; away += 10) {
+      for (let k = 0; k < 17; k++) {
+        const off = (k % 2 ? 1 : -1) * Math.ceil(k / 2) * 8;
+        const from = side ? Math.max(line.a.x, line.b.x) + 12 + away : Math.min(line.a.x, line.b.x) - 12 - away - width;
+        const x = clamp(from, 6, Math.max(stage.width - width - 6, 6));
+        const y = clamp(wanted + off, 52, stage.height - 36);
+        const box = { left: x - 3, right: x + width + 3, top: y - 9, bottom: y + 9 };
+        const hit = taken.some((t) => t.left < box.right && t.right > box.left && t.top < box.bottom && t.bottom > box.top);
+        const price = Math.abs(off) + 0.8 * away + (side === onRight ? 0 : 40) + (hit ? 1000 : 0);
+        if (!best || price < best.price) best = { price, x, y, box };
+      }
+    }
+  }
+  taken.push(best.box);
+  label(pen, text, best.x, best.y, theme.tokens.diff);
 }

@@ -99,7 +99,9 @@ function clearPattern() {
 // One step: along the stripe of a held pair, both of a pair, or the moment.
 function stepBy(seconds) {
   pause();
-  if (state.held && state.stripe !== null) walkStripe(seconds < 0 ? 0 : seconds);
+  const near = state.held && state.stripe === null && stripeNear(state.time, state.second);
+  if (near) holdAlong(near.stripe, near.step);
+  if (state.held && state.stripe !== null) walkStripe(Math.max(seconds, 0));
   if (state.held && state.stripe !== null && seconds < 0) walkBack(-seconds);
   else if (state.held && state.stripe === null) shiftPair(seconds);
   else if (!state.held) state.time = clamp(state.time + seconds, 0, clip.last);
