@@ -268,6 +268,14 @@ def test_frame_numbers_that_jump_are_told(tmp_path):
 # --- which skeleton belongs to a recording
 
 
+@pytest.fixture
+def deep(tmp_path):
+    """A folder so deep that the search does not leave the test's own."""
+    folder = tmp_path / "1" / "2" / "3"
+    folder.mkdir(parents=True)
+    return folder
+
+
 @pytest.mark.parametrize(
     ("amc", "asfs", "found"),
     [
@@ -281,12 +289,12 @@ def test_frame_numbers_that_jump_are_told(tmp_path):
         ("a/walk.amc", ["skeleton.asf"], "skeleton.asf"),
     ],
 )
-def test_the_skeleton_of_a_recording(tmp_path, amc, asfs, found):
+def test_the_skeleton_of_a_recording(deep, amc, asfs, found):
     for name in [amc, *asfs]:
-        (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
-        (tmp_path / name).touch()
-    path, reason = find_asf(tmp_path / amc)
-    assert path == tmp_path / found
+        (deep / name).parent.mkdir(parents=True, exist_ok=True)
+        (deep / name).touch()
+    path, reason = find_asf(deep / amc)
+    assert path == deep / found
     assert ("only" in reason) == (found == "skeleton.asf")
 
 
@@ -298,12 +306,12 @@ def test_the_skeleton_of_a_recording(tmp_path, amc, asfs, found):
         ("35_01.amc", [], "found none"),
     ],
 )
-def test_no_skeleton_is_one_sentence(tmp_path, amc, asfs, match):
+def test_no_skeleton_is_one_sentence(deep, amc, asfs, match):
     for name in [amc, *asfs]:
-        (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
-        (tmp_path / name).touch()
+        (deep / name).parent.mkdir(parents=True, exist_ok=True)
+        (deep / name).touch()
     with pytest.raises(FormatError, match=match):
-        find_asf(tmp_path / amc)
+        find_asf(deep / amc)
 
 
 @pytest.mark.data
