@@ -89,6 +89,7 @@ function stageCamera(time) {
 const wrapped = (angle) => Math.atan2(Math.sin(angle), Math.cos(angle));
 
 function setCamera(name) {
+  if (clip.flat) name = "room";
   if (!reducedMotion.matches && stage.pose) {
     ease.from = { ...stage.pose, yaw: stage.pose.yaw + state.turn, lift: stage.pose.lift + state.tilt };
     ease.start = performance.now();
@@ -109,6 +110,7 @@ function toggle(what) {
 }
 
 function turnCamera(x, y) {
+  if (clip.flat) return;
   state.turn = wrapped(state.turn - x * 0.008);
   state.tilt = clamp(state.tilt + y * 0.006, -0.2 - LIFT[state.camera], 1.55 - LIFT[state.camera]);
   keepHash();

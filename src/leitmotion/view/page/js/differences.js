@@ -62,7 +62,7 @@ function drawDifferences(pen, camera, pair) {
   }));
   for (const line of [...lines].reverse()) drawDifference(pen, line);
   const middle = project(camera, ...rootOf(posture), {}).x;
-  const taken = [...bodyBoxes(camera), ...lines.flatMap((line) => [spot(line.a, 7), spot(line.b, 7)])];
+  const taken = [...bodyBoxes(camera), ...lines.flatMap(({ a, b }) => [0, 0.33, 0.67, 1].map((part) => spot({ x: a.x + (b.x - a.x) * part, y: a.y + (b.y - a.y) * part }, 7)))];
   for (const line of lines) if (line.named) nameDifference(pen, line, middle, taken);
 }
 

@@ -50,6 +50,8 @@ function buildControls() {
     applyTheme();
   });
   $("tab-symmetry").addEventListener("click", tellSymmetry);
+  // A flat recording has one side.
+  $("cameras").hidden = clip.flat;
   $("grid-note").hidden = clip.flat || !clip.metres;
   $("sides").hidden = clip.dots && !clip.roles.some((role) => /^(left|right)_/.test(role));
 }

@@ -29,7 +29,7 @@ function paintDistances(pixels) {
 function distanceLegend(legend) {
   const scale = document.createElement("canvas");
   legend.replaceChildren(make("span", "", "same posture"), scale, make("span", "", `${capWord} apart or more`));
-  const width = field.side < 260 ? 36 : 96;
+  const width = field.side < 260 ? 36 : UNIT.length > 4 ? 52 : 96;
   const pen = sized(scale, width, 12);
   for (let x = 0; x < width; x++) {
     const colour = theme.map[Math.round(255 * (1 - x / (width - 1)))];

@@ -36,12 +36,17 @@ on("layout", () => {
 on("change", () => timeRows.forEach((row) => row.change?.()));
 on("frame", () => {
   const pair = pairOnShow();
-  moveLine(0, shownTime(), pair ? "1 " : "");
-  moveLine(1, pair ? pair.two : null, "2 ");
+  // Tags of two near moments stand side by side.
+  const near = pair ? across(pair.two - pair.one) : Infinity;
+  const push = Math.max(0, TAG_WIDTH - near) / 2;
+  moveLine(0, shownTime(), pair ? "1 " : "", -push);
+  moveLine(1, pair ? pair.two : null, "2 ", push);
   for (const row of timeRows) row.frame?.();
 });
 
-function moveLine(which, time, prefix) {
+const TAG_WIDTH = 64;
+
+function moveLine(which, time, prefix, push) {
   const { line, tag } = timeline.lines[which];
   line.hidden = time === null;
   if (time === null) return;
@@ -50,7 +55,8 @@ function moveLine(which, time, prefix) {
   const word = prefix + clockWord(time);
   if (tag.textContent !== word) tag.textContent = word;
   const half = (word.length * 6.6 + 14) / 2;
-  const shift = Math.max(half - x + 2, 0) - Math.max(x + half - timeline.element.clientWidth + 2, 0);
+  const middle = x + push;
+  const shift = push + Math.max(half - middle + 2, 0) - Math.max(middle + half - timeline.element.clientWidth + 2, 0);
   tag.style.setProperty("--shift", `calc(-50% + ${shift.toFixed(1)}px)`);
 }
 
