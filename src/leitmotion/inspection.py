@@ -192,7 +192,7 @@ def _facing(body: Body) -> Finding:
     return Finding(
         float(body.facing[0]),
         "guessed",
-        f"from the hips and shoulders, at the first frame, about the vertical; later within {turned:.0f} degrees",
+        f"from the hips and shoulders, at the first frame, about the vertical; {_turning(turned)}",
     )
 
 
@@ -336,3 +336,10 @@ _HOW_SIZED = {
 
 _Check = Callable[[Recording, Body, BodyMap], Problem | None]
 _CHECKS: tuple[_Check, ...] = (_sized, _upright, _named, _sure, _jumps, _unseen, _held, _long_enough)
+
+
+def _turning(degrees: float) -> str:
+    """Say how far a body turns in all."""
+    if degrees < 360:
+        return f"turning within {degrees:.0f} degrees"
+    return f"turning round {degrees / 360:.1f} times"
