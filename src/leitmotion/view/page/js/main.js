@@ -83,9 +83,12 @@ addEventListener("afterprint", () => setPrinting(false));
 matchMedia("print").addEventListener("change", (event) => setPrinting(event.matches));
 
 systemDark.addEventListener("change", applyTheme);
-addEventListener("hashchange", () => {
+addEventListener("hashchange", (event) => {
   pause();
-  readHash();
+  // A write that was due would bring the old view back.
+  clearTimeout(writing);
+  writing = 0;
+  readHash(new URL(event.newURL).hash);
   applyTheme();
 });
 new ResizeObserver(() => redraw("layout")).observe($("app"));

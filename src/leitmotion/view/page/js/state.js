@@ -83,8 +83,8 @@ function keepHash() {
   if (!writing) writing = setTimeout(() => ((writing = 0), writeHash()), 250);
 }
 
-function readHash() {
-  const parts = new URLSearchParams(location.hash.slice(1));
+function readHash(hash = location.hash) {
+  const parts = new URLSearchParams(hash.slice(1));
   const number = (key, fallback, low, high) => {
     const value = parts.has(key) ? Number(parts.get(key)) : NaN;
     return Number.isFinite(value) ? clamp(value, low, high) : fallback;
