@@ -54,6 +54,18 @@ def test_wide(page: Any) -> None:
     assert sideways(page) == 0
 
 
+@pytest.mark.parametrize("width", [1101, 1280, 1920])
+def test_no_control_is_cut_off_between_the_widths(open_page: Open, practice: Path, width: int) -> None:
+    page = open_page(practice, "t=12", width=width)
+    stage = box(page, "#stage-field")
+    for control in page.locator("#stage-bar button:visible").all():
+        assert control.bounding_box()["x"] + control.bounding_box()["width"] <= stage["x"] + stage["width"]
+    transport = page.locator(".transport").evaluate("(bar) => bar.scrollWidth - bar.clientWidth")
+    assert transport == 0
+    assert box(page, "#app")["width"] <= 1680
+    assert sideways(page) == 0
+
+
 def test_tablet(open_page: Open, practice: Path) -> None:
     page = open_page(practice, "t=12&u=14", width=900)
     matrix, scene = box(page, "#matrix-card"), box(page, ".scene")

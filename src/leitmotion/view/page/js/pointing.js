@@ -32,6 +32,11 @@ function release() {
   redraw("change");
 }
 
+// One finger on the cells moves the pair; beside them it scrolls the page.
+field.top.addEventListener("touchstart", (event) => {
+  if (event.touches.length === 1 && cellUnder(event.touches[0])) event.preventDefault();
+}, { passive: false });
+
 field.top.addEventListener("pointerdown", (event) => {
   const pair = cellUnder(event);
   if (!pair) {

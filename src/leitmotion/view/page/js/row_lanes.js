@@ -41,7 +41,11 @@ function buildLane(pattern, p) {
   const element = make("div", "lane", [head, track]);
   element.classList.toggle("unsure", pattern.confidence < 0.5);
   head.addEventListener("click", (event) => event.detail < 2 && choosePattern(p));
-  head.addEventListener("dblclick", () => renameLane(p, element));
+  head.addEventListener("dblclick", () => {
+    // The first of the two clicks chose it.
+    if (state.pattern === p) clearPattern();
+    renameLane(p, element);
+  });
   head.addEventListener("keydown", (event) => {
     if (event.key !== "F2" && !(event.key === "Enter" && event.shiftKey)) return;
     event.preventDefault();
