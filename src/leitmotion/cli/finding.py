@@ -57,7 +57,8 @@ def show_patterns(console: Console, found: Patterns, *, seconds: float) -> None:
     if not found.patterns:
         if found.nearest_miss:
             console.print(found.nearest_miss)
-        console.print(looked_for(found), style="dim")
+        sought = looked_for(found)
+        console.print(f"Looked for: {sought[:1].lower()}{sought[1:]}", style="dim")
         return
     console.print()
     print_table(

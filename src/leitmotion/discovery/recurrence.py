@@ -14,6 +14,7 @@ aligned paths, cycles. docs/papers/P.md tells where and why this differs.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import Any
 
 import numpy as np
 
@@ -113,7 +114,7 @@ def find_recurrences(
         tuple(pair for _, pairs in named for pair in pairs),
         features.rate,
         parameters,
-        "" if named else _nearest_miss(traced, features, min_contrast),
+        "" if named else _nearest_miss(distances, features, parameters),
     )
 
 
@@ -287,16 +288,28 @@ def _filled(pattern: Pattern) -> int:
     return int((pattern.stretches.stops - pattern.stretches.starts).sum())
 
 
-def _nearest_miss(traced: Sequence[Stripe], features: FeatureSequence, min_contrast: float) -> str:
-    """Say what came nearest when nothing was found; empty where nothing came near at all."""
-    if not traced:
+def _nearest_miss(distances: np.ndarray, features: FeatureSequence, asked: dict[str, Any]) -> str:
+    """Say what came nearest when nothing was found: search once more, twice as generously.
+
+    Empty where nothing comes near even so.
+    """
+    generous = 2 * asked["max_distance"]
+    alike = likeness(
+        distances, WORKING_RATE, max_distance=generous, min_amplitude=asked["min_amplitude"], share=1.0
+    )
+    near = trace_stripes(
+        distances, alike, WORKING_RATE, max_distance=generous, min_duration_s=asked["min_duration_s"]
+    )
+    if not near:
         return ""
-    best = max(traced, key=lambda s: s.contrast)
+    best = max(
+        near, key=lambda s: min(s.contrast / asked["min_contrast"], 2 - s.cost / asked["max_distance"])
+    )
     a, b = (tuple(moment / WORKING_RATE for moment in span) for span in (best.a, best.b))
     apart = length_in_words(best.cost, features.scale, features.unit)
-    times, asked = best.background / best.cost, 1 / (1 - min_contrast)
-    clear = f"only {times:.1f} times" if times > 1.05 else "no"
+    times = best.background / best.cost if best.cost > 0 else np.inf
+    clear = f"{times:.1f} times" if times > 1.05 else "no"
     return (
-        f"The nearest: {a[0]:.1f} to {a[1]:.1f} s and {b[0]:.1f} to {b[1]:.1f} s are {apart} apart, "
-        f"{clear} nearer than their surroundings, where a repeat is {asked:.1f} times nearer."
+        f"The nearest: {a[0]:.1f} to {a[1]:.1f} s and {b[0]:.1f} to {b[1]:.1f} s are {apart} apart on average, "
+        f"{clear} nearer than their surroundings, which is not near or not clear enough."
     )

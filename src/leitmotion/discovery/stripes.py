@@ -80,7 +80,14 @@ class Stripe:
         return float(np.interp(moment, self.path[:, 1], self.path[:, 0]))
 
 
-def likeness(distances: np.ndarray, rate: float, *, max_distance: float, min_amplitude: float) -> Likeness:
+def likeness(
+    distances: np.ndarray,
+    rate: float,
+    *,
+    max_distance: float,
+    min_amplitude: float,
+    share: float = AMPLITUDE_SHARE,
+) -> Likeness:
     """Decide at each moment how near another posture must be to be alike.
 
     A large movement is compared by `max_distance`; around a small one (a waving hand) alike means nearer than half
@@ -94,6 +101,8 @@ def likeness(distances: np.ndarray, rate: float, *, max_distance: float, min_amp
         Moments per second.
     max_distance, min_amplitude : float
         Body sizes.
+    share : float
+        Of what the body moves around a moment: nearer than this is alike.
 
     Returns
     -------
@@ -103,7 +112,7 @@ def likeness(distances: np.ndarray, rate: float, *, max_distance: float, min_amp
     from leitmotion.discovery._kernels import amplitudes
 
     amplitude = amplitudes(distances, round(REACH_S * rate))
-    threshold = np.minimum(max_distance, AMPLITUDE_SHARE * amplitude).astype(np.float32)
+    threshold = np.minimum(max_distance, share * amplitude).astype(np.float32)
     return Likeness(
         np.maximum(threshold, np.float32(1e-6)), amplitude < min_amplitude, _moving(distances, rate)
     )
