@@ -5,10 +5,10 @@ import pytest
 
 from leitmotion import body, features, io
 from leitmotion.datasets import compose_session
-from leitmotion.discovery import find_patterns
+from leitmotion.discovery import Patterns, find_patterns
 from leitmotion.discovery.pattern import letter
 from leitmotion.features import FeatureSequence
-from leitmotion.motion import Motion, ParameterError
+from leitmotion.motion import DataError, Motion, ParameterError, Trajectories, rotations
 
 
 @pytest.fixture(scope="module")
@@ -106,19 +106,52 @@ def test_a_recording_too_short_for_two_stretches_says_so():
     assert "too short" in found.nearest_miss
 
 
-@pytest.mark.parametrize("rate", [60.0, 50.0])
+@pytest.mark.parametrize("rate", [60.0, 50.0, 30.0])
 def test_the_answer_is_the_same_at_another_frame_rate(found, rate):
     again = search(compose_session(seed=0, rate=rate).motion)
     times_agree(found, again, within_s=0.25)
 
 
-def test_the_answer_is_the_same_for_another_body_size_place_and_direction(session, found):
+def test_the_answer_is_the_same_for_another_body_size(session, found):
     motion = session.motion
     skeleton = motion.skeleton.replace(
         offsets=1.3 * motion.skeleton.offsets, end_offsets=1.3 * motion.skeleton.end_offsets
     )
     larger = Motion(skeleton, 1.3 * motion.local_positions, motion.local_rotations, motion.rate)
     times_agree(found, search(larger), within_s=0.05)
+
+
+@pytest.fixture(scope="module")
+def points(session):
+    """The practice session as the joints that have a role."""
+    person = body.embody(session.motion)
+    return Trajectories(person.roles, person.positions, person.rate, kind="joint")
+
+
+def test_the_answer_is_the_same_for_points_and_for_fewer_of_them(points, found):
+    times_agree(found, search(points), within_s=0.05)
+    kept = [k for k, role in enumerate(points.names) if role in body.ANALYSIS_ROLES]
+    fewer = points.replace(names=tuple(points.names[k] for k in kept), positions=points.positions[:, kept])
+    times_agree(found, search(fewer), within_s=0.05)
+
+
+def test_the_answer_is_the_same_in_another_unit(points, found):
+    times_agree(
+        found, search(points.replace(positions=1000 * points.positions, unit="relative")), within_s=0.05
+    )
+
+
+def test_the_answer_is_the_same_in_the_mirror(points, found):
+    mirrored = points.replace(
+        names=tuple(body.mirror_role(name) for name in points.names), positions=points.positions * [-1, 1, 1]
+    )
+    times_agree(found, search(mirrored), within_s=0.05)
+
+
+def test_the_answer_is_the_same_elsewhere_and_turned(points, found):
+    turn = rotations.yaw_rotation(2.0)
+    moved = points.replace(positions=rotations.rotate(turn, points.positions) + np.array([3.0, 0.0, -7.0]))
+    times_agree(found, search(moved), within_s=0.05)
 
 
 def test_the_same_input_gives_the_same_answer_to_the_bit(session, found):
@@ -145,8 +178,21 @@ def test_unknown_methods_and_options_are_refused(found):
         find_patterns(postures, method="tang")
     with pytest.raises(ParameterError, match="no option 'treshold'"):
         find_patterns(postures, treshold=3)
-    with pytest.raises(ParameterError, match="max_distance must be positive"):
-        find_patterns(postures, max_distance=0)
+    for options in (
+        {"max_distance": 0},
+        {"min_duration_s": np.inf},
+        {"min_amplitude": -1},
+        {"min_contrast": 1},
+    ):
+        with pytest.raises(ParameterError, match=next(iter(options))):
+            find_patterns(postures, **options)
+
+
+@pytest.mark.parametrize("method", ["recurrence", "tang2008"])
+def test_recordings_of_few_frames_a_second_are_refused(method):
+    with pytest.raises(DataError, match="4 frames a second"):
+        find_patterns(swings(3, rate=2.0), method=method)
+    assert isinstance(find_patterns(swings(3, rate=5.0), method=method), Patterns)
 
 
 @pytest.mark.data

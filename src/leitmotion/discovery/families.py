@@ -29,7 +29,7 @@ SAME_PERIOD = 1.5  # ratio of periods within which two runs may be one movement
 WHOLE = 0.75  # share of a cycle that counts as one at the end of a stretch, where the movement dies down
 
 
-@dataclass
+@dataclass(eq=False)
 class Run:
     """A stretch of time in which a movement repeats without a break."""
 
@@ -122,6 +122,8 @@ def _without_multiples(runs: list[Run]) -> list[Run]:
     """Drop runs at a multiple of a shorter period, and small repeats inside one cycle of a larger one."""
     kept = sorted(runs, key=lambda run: -run.period)
     for long in list(kept):
+        if long not in kept:
+            continue  # lies inside a longer one
         inside = [
             run for run in kept
             if run is not long and run.period < long.period / 1.4

@@ -13,9 +13,10 @@ from typing import Any
 
 from leitmotion.discovery.pattern import Patterns
 from leitmotion.features.sequence import FeatureSequence
-from leitmotion.motion.errors import ParameterError
+from leitmotion.motion.errors import DataError, ParameterError
 
 METHODS = ("recurrence", "tang2008")
+MIN_RATE = 4.0  # hertz: two frames in the shortest stretch
 
 
 def find_patterns(features: FeatureSequence, *, method: str = "recurrence", **options: Any) -> Patterns:
@@ -40,9 +41,16 @@ def find_patterns(features: FeatureSequence, *, method: str = "recurrence", **op
     ------
     ParameterError
         When the method or an option is unknown.
+    DataError
+        When the recording has fewer than four frames a second.
     """
     import inspect
 
+    if features.rate < MIN_RATE:
+        raise DataError(
+            f"Patterns need {MIN_RATE:g} frames a second or more, got {features.rate:g}.",
+            remedy="Between two such frames a person may do anything.",
+        )
     find: Callable[..., Patterns]
     if method == "recurrence":
         from leitmotion.discovery.recurrence import find_recurrences

@@ -73,8 +73,10 @@ def find_recurrences(
         When a parameter is out of range.
     """
     for name, value in (("max_distance", max_distance), ("min_duration_s", min_duration_s)):
-        if not value > 0:
-            raise ParameterError(f"{name} must be positive, got {value}.")
+        if not 0 < value < np.inf:
+            raise ParameterError(f"{name} must be positive and finite, got {value}.")
+    if not 0 <= min_amplitude < np.inf:
+        raise ParameterError(f"min_amplitude must be 0 or more and finite, got {min_amplitude}.")
     if not 0 <= min_contrast < 1:
         raise ParameterError(f"min_contrast must lie in [0, 1), got {min_contrast}.")
     parameters: dict[str, object] = {
@@ -206,7 +208,10 @@ class _Scribe:
         return Segmentation(starts, stops, ("",) * len(starts), scores, self.rate)
 
     def _to_frames(self, path: np.ndarray) -> np.ndarray:
-        return np.minimum(np.round(path * self.ratio).astype(np.int64), self.frames - 1)
+        """One point a moment of the working rate, and the last frame of the last moment."""
+        last = np.maximum((path[-1:] + 1) * self.ratio - 1, path[-1:] * self.ratio)
+        frames = np.concatenate((path * self.ratio, last))
+        return np.minimum(np.round(frames).astype(np.int64), self.frames - 1)
 
     def _reason(self, kind: str, costs: np.ndarray, contrast: float, agreement: float) -> str:
         what = "cycles" if kind == "cyclic" else "occurrences"

@@ -15,6 +15,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
+from itertools import product
 
 import numpy as np
 
@@ -65,11 +66,9 @@ def themes_of(runs: Sequence[Run], stripes: Sequence[Stripe]) -> list[Theme]:
     """
     far = [stripe for stripe in stripes if not is_near(stripe)]
     group = list(range(len(runs)))
-    for i, first in enumerate(runs):
-        for j in range(i + 1, len(runs)):
-            if _linked(first, runs[j], far):
-                old, new = group[j], group[i]
-                group = [new if g == old else g for g in group]
+    for i, j in _links(runs, far):
+        old, new = group[j], group[i]
+        group = [new if g == old else g for g in group]
     themes = [
         Theme([run for run, g in zip(runs, group, strict=True) if g == k]) for k in dict.fromkeys(group)
     ]
@@ -128,29 +127,44 @@ def returns_of(
     return found
 
 
-def _linked(first: Run, second: Run, far: Sequence[Stripe]) -> bool:
-    if max(first.period, second.period) > SAME_PERIOD * min(first.period, second.period):
-        return False
-    rows = np.zeros(int(np.ceil(first.stop)), bool)
-    columns = np.zeros(int(np.ceil(second.stop)), bool)
-    longest = 0
+def _links(runs: Sequence[Run], far: Sequence[Stripe]) -> list[tuple[int, int]]:
+    """Pairs of runs that stripes show to be one movement: a stripe of most of a period, and enough of them."""
+    shown: dict[tuple[int, int], list[np.ndarray]] = {}
     for stripe in far:
-        if not (
-            overlap(stripe.a, (first.start, first.stop)) and overlap(stripe.b, (second.start, second.stop))
-        ):
-            continue
-        i, j = stripe.path[:, 0], stripe.path[:, 1]
-        within = (i >= first.start) & (i < first.stop) & (j >= second.start) & (j < second.stop)
-        if within.any():
-            i, j = i[within], j[within]
-            longest = max(longest, min(i[-1] - i[0], j[-1] - j[0]) + 1)
-            rows[i[0] : i[-1] + 1] = True
-            columns[j[0] : j[-1] + 1] = True
-    shorter = min(first.stop - first.start, second.stop - second.start)
-    return bool(
-        longest >= LINKED * min(first.period, second.period)
-        and min(rows.sum(), columns.sum()) >= COVERED * shorter
-    )
+        first = [k for k, run in enumerate(runs) if overlap(stripe.a, (run.start, run.stop))]
+        second = [k for k, run in enumerate(runs) if overlap(stripe.b, (run.start, run.stop))]
+        for i, j in product(first, second):
+            if i < j:
+                inside = stripe.path[
+                    _between(stripe.path[:, 0], runs[i]) & _between(stripe.path[:, 1], runs[j])
+                ]
+                if len(inside):
+                    shown.setdefault((i, j), []).append(inside)
+    return [(i, j) for (i, j), paths in shown.items() if _linked(runs[i], runs[j], paths)]
+
+
+def _linked(first: Run, second: Run, paths: Sequence[np.ndarray]) -> bool:
+    shorter, longer = sorted((first.period, second.period))
+    if longer > SAME_PERIOD * shorter:
+        return False
+    longest = max(int((path[-1] - path[0]).min()) + 1 for path in paths)
+    rows = _length_covered([(path[0, 0], path[-1, 0] + 1) for path in paths])
+    columns = _length_covered([(path[0, 1], path[-1, 1] + 1) for path in paths])
+    least = COVERED * min(first.stop - first.start, second.stop - second.start)
+    return longest >= LINKED * shorter and min(rows, columns) >= least
+
+
+def _between(moments: np.ndarray, run: Run) -> np.ndarray:
+    return (moments >= run.start) & (moments < run.stop)
+
+
+def _length_covered(spans: Sequence[tuple[int, int]]) -> int:
+    """Length of the union of stretches."""
+    total, reached = 0, -1
+    for start, stop in sorted(spans):
+        total += max(0, stop - max(start, reached))
+        reached = max(reached, stop)
+    return int(total)
 
 
 def _add_single_occurrences(theme: Theme, themes: Sequence[Theme], far: Sequence[Stripe]) -> None:
@@ -186,8 +200,8 @@ def _inside(stripe: Stripe, theme: Theme) -> np.ndarray:
     i, j = stripe.path[:, 0], stripe.path[:, 1]
     first, second = np.zeros(len(i), bool), np.zeros(len(i), bool)
     for run in theme.runs:
-        first |= (i >= run.start) & (i < run.stop)
-        second |= (j >= run.start) & (j < run.stop)
+        first |= _between(i, run)
+        second |= _between(j, run)
     return first & second
 
 
@@ -207,14 +221,14 @@ def _unexplained(
             continue
         if rest.contrast >= min_contrast and overlap(rest.a, rest.b) == 0:
             left.append(rest)
-    return left
+    return sorted(left, key=lambda s: -s.gain)
 
 
 def _occurrences(span: tuple[int, int], stripes: Sequence[Stripe]) -> Return:
     """Everywhere that the movement of one stretch comes back, along the stripes that hold most of it."""
     spans: list[tuple[float, float]] = [span]
     shown = []
-    for stripe in sorted(stripes, key=lambda s: -s.gain):
+    for stripe in stripes:
         for here, carry in ((stripe.a, stripe.forward), (stripe.b, stripe.backward)):
             start, stop = max(span[0], here[0]), min(span[1], here[1])
             if stop - start < HOLDS * (span[1] - span[0]):

@@ -15,7 +15,7 @@ itself, which needs no window.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cached_property
 from typing import NamedTuple
 
@@ -42,7 +42,7 @@ class Likeness(NamedTuple):
     """(N,) bool: it moves at this very moment, and is not about to start or at rest between two repeats."""
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Stripe:
     """Two stretches that show the same movement."""
 
@@ -223,5 +223,5 @@ def part(stripe: Stripe, keep: np.ndarray, distances: np.ndarray, alike: Likenes
     runs = edges.reshape(-1, 2)
     start, stop = runs[np.argmax(runs[:, 1] - runs[:, 0])]
     if stop - start == len(keep):
-        return replace(stripe)
+        return stripe
     return measure(stripe.path[start:stop], distances, alike)

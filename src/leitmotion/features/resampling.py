@@ -26,7 +26,7 @@ def resample(features: FeatureSequence, rate: float) -> FeatureSequence:
     Raises
     ------
     ParameterError
-        When the rate is not positive.
+        When the rate is not positive and finite.
 
     Examples
     --------
@@ -34,8 +34,8 @@ def resample(features: FeatureSequence, rate: float) -> FeatureSequence:
     >>> resample(ramp, 30).values.ravel().tolist()
     [0.0, 2.0]
     """
-    if not rate > 0:
-        raise ParameterError(f"rate must be a positive number of hertz, got {rate}.")
+    if not 0 < rate < np.inf:
+        raise ParameterError(f"rate must be a positive and finite number of hertz, got {rate}.")
     frames = len(features)
     if frames < 2 or rate == features.rate:
         return features.replace(rate=features.rate if frames < 2 else rate)
