@@ -74,6 +74,32 @@ def test_the_three_lines_of_the_readme(session: lm.datasets.Session, tmp_path: P
     assert page.read_text(encoding="utf-8").lower().startswith("<!doctype html>")
 
 
+@pytest.mark.parametrize(
+    ("name", "page"),
+    [
+        ("../a/b", "b.html"),
+        ("/tmp/dance", "dance.html"),
+        ("..\\..\\dance", "dance.html"),
+        ("..", "recording.html"),
+        ("a/", "recording.html"),
+        ("", "recording.html"),
+        (".hidden", "hidden.html"),
+        ("one\x00two\nthree", "onetwothree.html"),
+        ("86_01.v2", "86_01.v2.html"),
+        ("é" * 400, "é" * 100 + ".html"),
+    ],
+)
+def test_a_recording_cannot_say_where_its_page_goes(
+    session: lm.datasets.Session, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, name: str, page: str
+) -> None:
+    inside = tmp_path / "in" / "side"
+    inside.mkdir(parents=True)
+    monkeypatch.chdir(inside)
+    none = lm.Patterns((), (), rate=30.0, parameters={})
+    assert lm.report(session.motion[:30].replace(name=name), patterns=none) == Path(page)
+    assert [path for path in tmp_path.rglob("*") if path.is_file()] == [inside / page]
+
+
 def test_a_body_is_as_good_as_its_recording(session: lm.datasets.Session) -> None:
     piece = session.motion[:600]
     assert lm.find_patterns(lm.embody(piece)) == lm.find_patterns(piece)

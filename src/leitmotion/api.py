@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import fnmatch
 import math
+import re
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
@@ -62,6 +63,8 @@ DRAWN_RATE = 30.0
 """Frames per second that the page draws."""
 MOST_MOMENTS = 6000
 """Moments that the page's matrix compares at most: 3 minutes at 30 a second, 144 MB."""
+LONGEST_NAME = 200
+"""Bytes of a page's default name at most; file systems take 255 with the ending."""
 
 Recording = Motion | Trajectories | Body
 Roles = BodyMap | Mapping[str, str | list[str]]
@@ -140,7 +143,8 @@ def report(
     recording : Motion, Trajectories or Body
         One person.
     path : path, optional
-        Where to write it; by default the recording's name with the ending ``.html``, in the current folder.
+        Where to write it; by default the recording's name with the ending ``.html``, always in the current folder:
+        of a name that holds a path only the last part counts.
     labels : Segmentation, optional
         Labels from elsewhere, shown in a lane of their own.
     labels_from : str
@@ -186,9 +190,17 @@ def report(
         labels=labels,
         labels_from=labels_from,
     )
-    target = Path(path) if path is not None else Path(f"{body.name or 'recording'}.html")
+    target = Path(path) if path is not None else Path(f"{_file_name(body.name)}.html")
     write_whole(target, page)
     return target
+
+
+def _file_name(name: str) -> str:
+    """Make a name that a file may bear of one that a recording brought along, which may say anything."""
+    last = re.split(r"[/\\]", name)[-1]
+    spoken = "".join(mark for mark in last if mark.isprintable() and mark not in '<>:"|?*')
+    short = spoken.encode("utf-8")[:LONGEST_NAME].decode("utf-8", errors="ignore")
+    return short.strip(" .") or "recording"
 
 
 def _body(recording: Recording, body_map: Roles | None) -> Body:
