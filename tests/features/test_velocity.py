@@ -47,3 +47,15 @@ def test_walking_forwards_is_along_z():
 
 def test_one_frame_stands_still(dancer):
     assert not described(dancer[:1]).any()
+
+
+def test_an_unseen_point_has_no_velocity_there_nor_beside(dancer):
+    body = embody(dancer)
+    holes = body.positions.copy()
+    holes[40, body.roles.index("head")] = np.nan
+    holes[0, body.roles.index("neck")] = np.nan
+    features = velocity(body.replace(positions=holes))
+    unseen = np.isnan(features.values.reshape(240, -1, 3)).all(axis=2)
+    assert np.flatnonzero(unseen[:, features.names.index("head")]).tolist() == [39, 40, 41]
+    assert np.flatnonzero(unseen[:, features.names.index("neck")]).tolist() == [0, 1]
+    assert np.isnan(velocity(body.replace(positions=holes[:1], facing=[0.0])).values).sum() == 3

@@ -26,10 +26,11 @@ class FeatureSequence(Noun):
     width : int
         How many consecutive values belong to one name; distances average the norms of these groups.
     scale : float
-        What one unit of `values` is in the recording's own unit: metres when the recording is in metres, so
-        that a distance times `scale` is metres again.
-    unit : str
-        The recording's own unit ("m", "px", "relative"), "rad" or "m/s".
+        What one unit of `values` is in `unit`: metres when the recording is in metres, so that a distance times
+        `scale` is metres again.
+    unit : {"m", "px", "relative", "m/s", "px/s", "relative/s", "rad"}
+        What values times `scale` are: places in the recording's own unit, velocities in that unit a second,
+        rotations in radians.
 
     Raises
     ------

@@ -36,7 +36,7 @@ def velocity(body: Body, *, roles: Sequence[str] | None = None) -> FeatureSequen
     -------
     FeatureSequence
         ``values`` (T, 3 R), ``width`` 3 (2 for a planar recording), ``scale`` the body's size, so that values
-        times `scale` are metres a second; NaN beside frames in which a point was unseen.
+        times `scale` are metres a second; NaN in frames in which a point was unseen, and beside them.
 
     Raises
     ------
@@ -54,8 +54,9 @@ def velocity(body: Body, *, roles: Sequence[str] | None = None) -> FeatureSequen
     positions = body.positions[:, [body.roles.index(role) for role in chosen]]
     if len(positions) > 1:
         moved = np.gradient(positions, axis=0) * body.rate
+        moved[np.isnan(positions)] = np.nan  # a central difference looks past the frame itself
     else:
-        moved = np.zeros_like(positions)
+        moved = np.where(np.isnan(positions), np.nan, 0.0)
     values = turn_to_front(moved, body.facing) / body.size
     told = ("yaw",) if knows_facing(body) else ()
     return FeatureSequence(

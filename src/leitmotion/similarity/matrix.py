@@ -24,8 +24,8 @@ class SimilarityMatrix(Noun):
         Frames per second along each axis.
     scale : float
         What a distance of 1 is in `unit`.
-    unit : str
-        "m", "px", "relative" or "rad".
+    unit : {"m", "px", "relative", "m/s", "px/s", "relative/s", "rad"}
+        That of the features compared: of places, of velocities, of rotations.
     kind : {"dense"}
         How the values are stored.
 
