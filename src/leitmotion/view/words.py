@@ -399,8 +399,5 @@ def _span(pattern: Pattern, k: int) -> tuple[float, float]:
 
 
 def _shortest(patterns: Patterns) -> float | None:
-    for name in ("min_duration_s", "min_seconds", "shortest_s", "min_duration"):
-        value = patterns.parameters.get(name)
-        if isinstance(value, int | float):
-            return float(value)
-    return None
+    value = patterns.parameters.get("min_duration_s")
+    return float(value) if isinstance(value, int | float) else None
