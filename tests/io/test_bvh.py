@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from leitmotion import io
+from leitmotion.datasets import Action, compose
 from leitmotion.io.bvh import frame_rate
 from leitmotion.io.reading import Source
 from leitmotion.motion import FormatError, Motion, ParameterError, Skeleton, forward_kinematics, rotations
@@ -270,6 +271,25 @@ def test_points_are_no_bvh(tmp_path):
         io.write(markers, tmp_path / "clip.fbx")
 
 
+def assert_comes_back(motion, path, **how):
+    reading = io.open_recording(io.write(motion, path, **how))
+    (back,) = reading.recordings
+    order = [back.skeleton.index(name) for name in motion.skeleton.names]
+    np.testing.assert_allclose(
+        forward_kinematics(back).positions[:, order], forward_kinematics(motion).positions, atol=1e-6
+    )
+    return reading
+
+
+@pytest.mark.parametrize("unit", ["cm", "m", "mm"])
+@pytest.mark.parametrize("height", [1.0, 1.2, 1.5, 1.75, 2.1])
+def test_a_body_of_any_height_survives_the_way_out_and_in(tmp_path, height, unit):
+    motion = compose([Action("squat", 1)], seed=1, rate=15, height=height).motion
+    reading = assert_comes_back(motion, tmp_path / "clip.bvh", unit=unit)
+    assert reading.findings["unit"].value == unit
+    assert any("--unit" in warning for warning in reading.warnings) == (height < 1.25)
+
+
 def _marker_table(tmp_path):
     path = tmp_path / "points.csv"
     path.write_text("time,A_x,A_y,A_z\n0,1,2,3\n0.1,1,2,3\n")
@@ -277,9 +297,17 @@ def _marker_table(tmp_path):
 
 
 @pytest.mark.data
-def test_a_real_recording_survives_the_way_out_and_in(data, tmp_path):
-    motion = io.read(data / "bandai_namco" / "dataset-1_walk_normal_001.bvh")
-    back = io.read(io.write(motion, tmp_path / "walk.bvh"))
-    order = [back.skeleton.index(name) for name in motion.skeleton.names]
-    ours = forward_kinematics(motion).positions
-    np.testing.assert_allclose(forward_kinematics(back).positions[:, order], ours, atol=1e-6)
+@pytest.mark.parametrize("unit", ["cm", "m"])
+@pytest.mark.parametrize(
+    "name",
+    [
+        "bandai_namco/dataset-1_walk_normal_001.bvh", "cmu_amc/01_01.amc", "cmu_amc/131_04-dance.amc",
+        "cmu_bvh/01_01.bvh", "cmu_bvh/131_03.bvh", "cmu_bvh/jumping_jacks.bvh", "cmu_bvh/crossover.bvh",
+        "hdm05/lieDownFloor/HDM_bd_lieDownFloor_001_120.amc", "hdm05/squat1Reps/HDM_bd_squat1Reps_001_120.amc",
+        "perfume_dance/A_test.bvh",
+    ],
+)  # fmt: skip
+def test_a_real_recording_survives_the_way_out_and_in(data, tmp_path, name, unit):
+    motion = io.read(f"{data / name}[0:600]")
+    reading = assert_comes_back(motion, tmp_path / "clip.bvh", unit=unit)
+    assert (reading.findings["unit"].value, reading.warnings) == (unit, ())

@@ -7,7 +7,7 @@ from leitmotion import io
 from leitmotion.io.conform import conform
 from leitmotion.io.judge import contradict_up, judge_sides, judge_unit, judge_up, look
 from leitmotion.io.reading import Draft, Finding, Options, PointTake, SkeletonTake
-from leitmotion.motion import rotations
+from leitmotion.motion import Trajectories, rotations
 
 NAMES = ["Hips", "LeftUpLeg", "LeftFoot", "LeftToe", "RightUpLeg", "RightFoot", "RightToe", "Chest", "Head"]
 SWAPPED = [name.replace("Left", "?").replace("Right", "Left").replace("?", "Right") for name in NAMES]
@@ -82,13 +82,43 @@ def test_a_rest_pose_in_odd_axes_does_not_either(rng):
 def test_the_unit_of_a_body(rng, metres, unit, size):
     person = take(size * walk(rng), scale=1.0 / metres, offsets=size * OFFSETS)
     finding, warning = judge_unit(person, look(person))
-    assert (finding.value, warning) == (unit, "")
+    assert finding.value == unit
+    assert ("a child's" in warning) == (unit == "inch")  # in centimetres it would be one
+    assert bool(warning) == (unit == "inch")
     assert "from ankle to head" in finding.reason
 
 
 def test_a_body_of_no_usual_size_is_told(rng):
     person = take(walk(rng), scale=1 / 0.16)
     assert "--unit" in judge_unit(person, look(person))[1]
+
+
+@pytest.mark.parametrize(
+    ("height", "metres", "unit"),
+    [
+        (1.0, 0.01, "cm"), (1.0, 1.0, "m"), (1.0, 0.001, "mm"), (0.6, 1.0, "m"), (0.6, 0.001, "mm"), (2.1, 0.01, "cm"),
+        (1.0, 0.0254 / 0.45, "1/0.45 inch"),
+    ],
+)  # fmt: skip
+def test_a_child_is_measured_in_metric_units_rather_than_a_giant_in_inches(rng, height, metres, unit):
+    size = height / 1.75
+    person = take(size * walk(rng), scale=1.0 / metres, offsets=size * OFFSETS)
+    finding, warning = judge_unit(person, look(person))
+    assert finding.value == unit
+    assert ("--unit" in warning) == (height <= 1.0)
+
+
+def test_a_guessed_unit_is_believed_only_of_an_adult(rng):
+    """The names of a known skeleton suggest its archive's unit; what was converted since has another."""
+    supposed = Finding("1/0.45 inch", "guessed", "known by its joints")
+    for metres, unit in ((0.0254 / 0.45, "1/0.45 inch"), (0.01, "cm"), (1.0, "m"), (0.001, "mm")):
+        draft = Draft([take(walk(rng), scale=1 / metres)], rate=Finding(30.0, "read", ""), unit=supposed)
+        (motion,), findings = conform(draft, Options(), "clip")
+        assert findings["unit"].value == unit
+        np.testing.assert_allclose(motion.skeleton.offsets, OFFSETS, atol=1e-12)
+    stated = Finding("inch", "read", "stated")
+    draft = Draft([take(walk(rng), scale=100)], rate=Finding(30.0, "read", ""), unit=stated)
+    assert conform(draft, Options(), "clip")[1]["unit"] is stated
 
 
 def test_sides_are_right_or_look_swapped(rng):
@@ -111,6 +141,23 @@ def test_a_stated_vertical_gives_way_only_to_a_ground(rng):
         take(np.tile([0.3, 0.1, 2.0], (40, 1)) + rng.normal(0, 0.01, (40, 3)), LIES, turn=TO_FILE["z"])
     )
     assert contradict_up(stated, lying) is None
+
+
+def test_only_the_vertical_of_a_screen_gives_way(rng, tmp_path):
+    """An archive is Y up, whatever its body does: here it lies along X and rises."""
+    places = look(take(walk(rng), turn=TO_FILE["x"]))
+    lifted = Trajectories(tuple(NAMES), places, 30.0)
+    assert contradict_up(Finding("y", "read", "stated"), places) is not None
+    path = io.save(lifted, tmp_path / "lifted.npz")
+    assert io.open_recording(path).findings["up"].value == "y"
+    assert io.read(path).replace(name="") == io.load(path) == lifted
+    for may_err, up in ((True, "x"), (False, "y")):
+        draft = Draft(
+            [PointTake(NAMES, places)], rate=Finding(30.0, "read", ""), unit=Finding("m", "read", ""),
+            up=Finding("y", "read", "stated"), up_may_err=may_err,
+        )  # fmt: skip
+        assert conform(draft, Options(), "clip")[1]["up"].value == up
+        assert bool(draft.warnings) == may_err
 
 
 def test_points_without_telling_names_are_long_along_the_vertical(rng):

@@ -86,16 +86,19 @@ def read(source: Source) -> Draft:
     acclaim = read_asf(Source(path, read_bytes(path)))
     warnings: list[str] = []
     channels, dofs = _channels(source, acclaim, warnings)
-    unit = None
-    if acclaim.scale == 0.45 and {name.lower() for name in acclaim.names} == BODYBUILDER:
+    unit, known = None, {name.lower() for name in acclaim.names} == BODYBUILDER
+    if acclaim.scale == 0.45 and known:
         unit = Finding(
-            "1/0.45 inch", "guessed", "the bones are those of the CMU and HDM05 archives, whose unit it is"
+            "1/0.45 inch",
+            "guessed",
+            "the bones are those of the CMU and HDM05 archives, in whose unit the body is an adult's",
         )
     return Draft(
         [_take(acclaim, channels, dofs, degrees=_degrees(source, acclaim))],
         rate=Finding(_USUAL_RATE, "guessed", "an AMC states no rate; the CMU and HDM05 archives have 120 Hz"),
         unit=unit,
         up=Finding("y", "guessed", "an ASF states no vertical, and Y is the format's usual one"),
+        up_may_err=not known,
         findings={"skeleton": Finding(str(path), how, reason)},
         warnings=warnings,
     )

@@ -69,7 +69,11 @@ def read(source: Source) -> Draft:
     ]
     unit = None
     if {joint.name.lower() for joint in joints} >= CMU_BVH:
-        unit = Finding("1/0.45 inch", "guessed", "the joints are those of the CMU archive, whose unit it is")
+        unit = Finding(
+            "1/0.45 inch",
+            "guessed",
+            "the joints are those of the CMU archive, in whose unit the body is an adult's",
+        )
     return Draft(takes, rate=frame_rate(seconds, source), unit=unit, warnings=warnings)
 
 

@@ -53,7 +53,14 @@ def read(source: Source) -> Draft:
         raise source.error("expected labelled markers, found computed or unlabelled points only.")
     names = distinct([labels[k] or f"point{k + 1}" for k in kept], warnings)
     takes = split_people(names, positions if len(kept) == header.points else positions[:, kept])
-    return Draft(takes, rate=_rate(source, header), unit=_unit(header), up=_up(header), warnings=warnings)
+    return Draft(
+        takes,
+        rate=_rate(source, header),
+        unit=_unit(header),
+        up=_up(header),
+        up_may_err=True,
+        warnings=warnings,
+    )
 
 
 def _positions(source: Source, header: Header, warnings: list[str]) -> np.ndarray:

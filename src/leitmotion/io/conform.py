@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from leitmotion.io.judge import contradict_up, judge_sides, judge_unit, judge_up, look
+from leitmotion.io.judge import contradict_up, judge_sides, judge_unit, judge_up, look, makes_an_adult
 from leitmotion.io.reading import Draft, Finding, Options, PointTake, SkeletonTake
 from leitmotion.io.units import METRES, unit_in_metres
 from leitmotion.motion import Motion, ParameterError, Skeleton, Trajectories
@@ -90,7 +90,7 @@ def _up(draft: Draft, options: Options, positions: np.ndarray, take: SkeletonTak
         return Finding(axis, "given", "up given by the caller")
     if draft.up is None:
         return judge_up(positions, take)
-    better = contradict_up(draft.up, positions)
+    better = contradict_up(draft.up, positions) if draft.up_may_err else None
     if better is None:
         return draft.up
     draft.warnings.append(
@@ -107,7 +107,11 @@ def _unit(
             return Finding(options.unit, "given", "unit given by the caller"), 1.0
         word, metres = unit_in_metres(options.unit)
         return Finding(word, "given", "unit given by the caller"), metres
-    if draft.unit is not None:
+    if draft.unit is not None and (
+        draft.unit.how != "guessed"
+        or draft.unit.value in IMAGE_UNITS
+        or makes_an_adult(draft.unit.value, take, positions)
+    ):
         return draft.unit, METRES.get(draft.unit.value, 1.0)
     unit, warning = judge_unit(take, positions)
     if warning:

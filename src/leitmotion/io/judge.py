@@ -11,10 +11,13 @@ from leitmotion.io.reading import Finding, PointTake, SkeletonTake
 from leitmotion.io.units import METRES
 from leitmotion.motion import Motion, Skeleton, forward_kinematics
 
-_CANDIDATES = ("m", "cm", "mm", "inch", "1/0.45 inch")
+_METRIC = ("m", "cm", "mm")
+_OTHERS = ("inch", "1/0.45 inch")
 _STANDING = 1.7  # metres, the largest distance between two points of a standing adult
 _ANKLE_TO_HEAD = 1.5  # metres, along the joints, of an adult
 _USUAL = 1.35  # by which factor a body may differ from the usual one without a word
+_SMALLEST = 0.25  # share of the usual size that the smallest of people, half a metre tall, still has
+_MIDDLE = 0.63  # share of the usual size about which people of all ages lie within a decade
 _LOOKS = 32  # frames looked at
 _STEADY = 0.08  # how far, of the body's size, the lowest point may wander on a ground
 _GROUND = 0.2  # how far, of the body's size, a ground may lie from zero
@@ -154,7 +157,9 @@ def judge_unit(take: SkeletonTake | PointTake, positions: np.ndarray) -> tuple[F
     """Tell the unit from the body's size.
 
     Of a skeleton whose joints are named, the size is the way along its joints from an ankle to the head; else it is
-    the largest distance between two points, in the median frame.
+    the largest distance between two points, in the median frame. A metric unit that makes an adult of usual size comes
+    first; inch or the unit of the CMU archive is taken where it does and no metric one; else it is the metric unit in
+    which the body is a child, and where there is none whatever comes nearest.
 
     Parameters
     ----------
@@ -166,24 +171,59 @@ def judge_unit(take: SkeletonTake | PointTake, positions: np.ndarray) -> tuple[F
     Returns
     -------
     tuple of Finding and str
-        The unit's name; a warning where no usual unit makes a body of a usual size, else empty.
+        The unit's name; a warning where no usual unit makes a body of a usual size, or where one makes an adult and
+        another a child, else empty.
     """
-    size = _ankle_to_head(take) if isinstance(take, SkeletonTake) else 0.0
-    usual, what = _ANKLE_TO_HEAD, "from ankle to head"
-    if size == 0.0:
-        size, usual, what = _size(positions), _STANDING, "across"
+    size, usual, what = _body_size(take, positions)
     if size == 0.0:
         return Finding("m", "guessed", "the body has no size to judge a unit by"), ""
-    unit = min(_CANDIDATES, key=lambda word: abs(np.log(size * METRES[word] / usual)))
-    metres = size * METRES[unit]
-    reason = f"with it the body measures {metres:.2f} m {what}, an adult's about {usual} m"
+
+    def off(word: str, middle: float) -> float:
+        return float(abs(np.log(size * METRES[word] / middle)))
+
+    unit = metric = min(_METRIC, key=lambda word: off(word, _MIDDLE * usual))
+    other = min(_OTHERS, key=lambda word: off(word, usual))
+    person = size * METRES[metric] >= _SMALLEST * usual
     warning = ""
-    if abs(np.log(metres / usual)) > np.log(_USUAL):
+    if off(metric, usual) > np.log(_USUAL):
+        if off(other, usual) <= np.log(_USUAL):
+            unit = other
+        elif not person:
+            unit = min(_METRIC + _OTHERS, key=lambda word: off(word, usual))
+    metres = size * METRES[unit]
+    if unit == other and person:
+        warning = (
+            f"Taken as {unit} the body is an adult's, {metres:.2f} m {what}; taken as {metric} it would be a child's, "
+            f"{size * METRES[metric]:.2f} m: state the unit with --unit if sizes matter."
+        )
+    elif off(unit, usual) > np.log(_USUAL):
         warning = (
             f"No usual unit makes this body of a usual size; taken as {unit} it measures {metres:.2f} m {what}: "
             "state the unit with --unit if sizes matter."
         )
+    reason = f"with it the body measures {metres:.2f} m {what}, an adult's about {usual} m"
     return Finding(unit, "guessed", reason), warning
+
+
+def makes_an_adult(unit: str, take: SkeletonTake | PointTake, positions: np.ndarray) -> bool:
+    """Tell whether a unit makes the body an adult of usual size, or the body has no size to tell by.
+
+    Parameters
+    ----------
+    unit : str
+        One of the units that have a name.
+    take : SkeletonTake or PointTake
+        The person.
+    positions : (L, P, C) float
+        What :func:`look` saw.
+
+    Returns
+    -------
+    bool
+        Whether it does.
+    """
+    size, usual, _ = _body_size(take, positions)
+    return size == 0.0 or bool(abs(np.log(size * METRES[unit] / usual)) <= np.log(_USUAL))
 
 
 def judge_sides(motion: Motion) -> Finding | None:
@@ -245,6 +285,16 @@ def _along(axes: str, rise: np.ndarray) -> str:
     if length == 0.0 or abs(rise[axis]) < _UPRIGHT * length:
         return ""
     return ("-" if rise[axis] < 0 else "") + axes[axis]
+
+
+def _body_size(take: SkeletonTake | PointTake, positions: np.ndarray) -> tuple[float, float, str]:
+    """How large a body is in the file's unit, how many metres an adult has there, and from where to where."""
+    size = _ankle_to_head(take) if isinstance(take, SkeletonTake) else 0.0
+    return (
+        (size, _ANKLE_TO_HEAD, "from ankle to head")
+        if size > 0.0
+        else (_size(positions), _STANDING, "across")
+    )
 
 
 def _ankle_to_head(take: SkeletonTake) -> float:

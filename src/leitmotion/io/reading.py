@@ -17,8 +17,6 @@ import numpy as np
 
 from leitmotion.motion import FormatError, Motion, Trajectories
 
-HOW = ("read", "guessed", "given")
-
 
 @dataclass(frozen=True)
 class Finding:
@@ -123,7 +121,14 @@ class Draft:
     takes: Sequence[SkeletonTake | PointTake]
     rate: Finding
     unit: Finding | None = None
+    """None where the format does not say; one that is "guessed" must make the body an adult's to be believed."""
+
     up: Finding | None = None
+    """None where the format does not say."""
+
+    up_may_err: bool = False
+    """Whether the body may contradict `up`: the vertical of a C3D is that of its screen, and often was not set."""
+
     findings: dict[str, Finding] = field(default_factory=dict)
     warnings: list[str] = field(default_factory=list)
     name: str = ""
