@@ -13,16 +13,17 @@ SEGMENTS = (("hip", "knee"), ("knee", "ankle"), ("shoulder", "elbow"), ("elbow",
 LARGEST_RATIO = 1.5  # of one bone's length on the two sides; people differ by a few per cent
 SHORTEST = 0.02  # of the body's height: two joints nearer than this are one joint twice
 DOUBT = 0.5
+CLEARLY = 0.8  # of 1: how much of what the feet say must be against the names
 
 
 def doubts(points: Mapping[str, np.ndarray]) -> dict[str, float]:
     """Find what the places of the points say against their roles.
 
     Checked are: no bone is without length; a bone is about as long on the left as on the right; the head is
-    farther from the pelvis than the neck is; hips and shoulders agree on which side is left; and the toes point
-    where a person faces whose left is where the names say it is, up being from the pelvis to the neck or, without
-    a neck, from the ankles to the pelvis. The last finds files whose sides are swapped or whose axes are
-    left-handed.
+    farther from the pelvis than the neck is; hips and shoulders agree on which side is left; and the lower foot
+    points where a person faces whose left is where the names say it is, up being from the pelvis to the neck or,
+    without a neck, from the ankles to the pelvis. The other foot may hang, and in a run its toes point backwards
+    for most of the stride. The last check finds files whose sides are swapped or whose axes are left-handed.
 
     Parameters
     ----------
@@ -59,9 +60,13 @@ def _sides_look_swapped(points: Mapping[str, np.ndarray]) -> bool:
     left, up = across["hip"], _up(points)
     if left is None or up is None or left.shape[-1] != 3:
         return False
-    front = np.cross(left, up)
-    feet = [_dot(_between(points, f"{side}_ankle", f"{side}_toe"), front) for side in ("left", "right")]
-    return all(_median(foot) < 0 for foot in feet)
+    feet = [_between(points, f"{side}_ankle", f"{side}_toe") for side in ("left", "right")]
+    if feet[0] is None or feet[1] is None:
+        return False
+    lower = points["left_ankle"][:, 1] < points["right_ankle"][:, 1]
+    ahead = _dot(np.where(lower[:, None], feet[0], feet[1]), np.cross(left, up))
+    ahead = ahead[np.isfinite(ahead)]
+    return bool(ahead.sum() < -CLEARLY * np.abs(ahead).sum())
 
 
 def _up(points: Mapping[str, np.ndarray]) -> np.ndarray | None:
