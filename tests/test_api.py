@@ -226,5 +226,18 @@ def test_info_names_what_it_cannot_tell() -> None:
     assert "--map" in told.problems[0].remedy
 
 
+def test_who_faces_ahead_has_a_facing_and_who_has_no_roles_has_none() -> None:
+    ahead = marker_file()
+    unnamed = ahead.replace(names=tuple(f"m{k}" for k in range(12)))
+    flat = ahead.replace(positions=ahead.positions[..., :2], unit="px")
+    for recording, facing in ((ahead, 0.0), (unnamed, None), (flat, None)):
+        body = lm.embody(recording)
+        assert not body.facing.any()
+        assert lm.info(recording).findings["facing"].value == facing
+        assert body.facing_told is (facing is not None)
+        assert ("yaw" in lm.features.posture(body).invariant_to) is body.facing_told
+        assert ("yaw" in lm.features.velocity(body).invariant_to) is body.facing_told
+
+
 def test_info_says_when_it_is_too_short() -> None:
     assert "too short" in problems(marker_file()[:50])["short"]

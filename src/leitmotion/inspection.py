@@ -186,8 +186,11 @@ def _describe(
 
 
 def _facing(body: Body) -> Finding:
-    if not body.facing.any():
-        return Finding(None, "guessed", "cannot be told: a left and a right hip or shoulder are needed")
+    if not body.facing_told:
+        flat = body.positions.shape[2] == 2
+        needed = "a left and a right hip or shoulder must be named and seen"
+        why = "points in a picture have none" if flat else needed
+        return Finding(None, "guessed", f"cannot be told: {why}")
     turned = np.degrees(np.ptp(body.facing))
     return Finding(
         float(body.facing[0]),

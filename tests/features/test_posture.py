@@ -86,7 +86,7 @@ def test_unseen_points_stay_unseen(dancer):
 def test_points_without_roles_are_centred_on_the_steadiest():
     positions = np.random.default_rng(3).normal(size=(30, 5, 3))
     positions[4, 0] = np.nan
-    body = Body(tuple("abcde"), positions, np.zeros(30), rate=30, size=2.0)
+    body = Body(tuple("abcde"), positions, np.zeros(30), rate=30, size=2.0, facing_told=False)
     values = posture(body).values.reshape(30, 5, 3)
     assert np.allclose(values[:, 1:, [0, 2]].mean(axis=1), 0)
     assert np.isfinite(values[4, 1:]).all()

@@ -70,6 +70,8 @@ class Body(Noun):
         What a number of `positions` means.
     name : str
         What the recording is called.
+    facing_told : bool
+        Whether `facing` says which way the body faces, rather than being left at zero.
 
     Raises
     ------
@@ -84,6 +86,7 @@ class Body(Noun):
     size: float
     unit: str = "m"
     name: str = ""
+    facing_told: bool = True
 
     def __post_init__(self) -> None:
         roles = set_names(self, "roles")

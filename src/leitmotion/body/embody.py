@@ -102,6 +102,7 @@ def embody(
         size=size,
         unit="m" if isinstance(recording, Motion) else recording.unit,
         name=recording.name,
+        facing_told=yaw is not None,
     )
 
 

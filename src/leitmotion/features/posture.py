@@ -60,7 +60,7 @@ def posture(body: Body, *, roles: Sequence[str] | None = None) -> FeatureSequenc
     positions = body.positions[:, [body.roles.index(role) for role in chosen]]
     place = centre(body) * [1.0, 0.0, 1.0][:width]  # an unseen centre hides heights, too: 0 NaN = NaN
     values = turn_to_front(positions - place[:, None], body.facing) / body.size
-    told = ("yaw",) if knows_facing(body) else ()
+    told = ("yaw",) if body.facing_told else ()
     return FeatureSequence(
         values=values.reshape(len(values), -1),
         names=chosen,
@@ -120,23 +120,6 @@ def centre(body: Body) -> np.ndarray:
         return body.positions[:, body.roles.index("pelvis")]
     seen = np.isfinite(body.positions).all(axis=2).sum(axis=0)
     return body.positions[:, seen == seen.max()].mean(axis=1)
-
-
-def knows_facing(body: Body) -> bool:
-    """Tell whether the facing of a body was found rather than left at zero.
-
-    Parameters
-    ----------
-    body : Body
-        Any body.
-
-    Returns
-    -------
-    bool
-        True where it has two hips or two shoulders in three dimensions, or any facing but zero.
-    """
-    pairs = any({f"left_{pair}", f"right_{pair}"} <= set(body.roles) for pair in ("hip", "shoulder"))
-    return bool(body.facing.any()) or (pairs and body.positions.shape[2] == 3)
 
 
 def turn_to_front(vectors: np.ndarray, facing: np.ndarray) -> np.ndarray:

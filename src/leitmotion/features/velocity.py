@@ -13,7 +13,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from leitmotion.body import Body
-from leitmotion.features.posture import choose_roles, knows_facing, turn_to_front
+from leitmotion.features.posture import choose_roles, turn_to_front
 from leitmotion.features.sequence import FeatureSequence
 
 RATES = {"m": "m/s", "px": "px/s", "relative": "relative/s"}
@@ -58,7 +58,7 @@ def velocity(body: Body, *, roles: Sequence[str] | None = None) -> FeatureSequen
     else:
         moved = np.where(np.isnan(positions), np.nan, 0.0)
     values = turn_to_front(moved, body.facing) / body.size
-    told = ("yaw",) if knows_facing(body) else ()
+    told = ("yaw",) if body.facing_told else ()
     return FeatureSequence(
         values=values.reshape(len(values), -1),
         names=chosen,
