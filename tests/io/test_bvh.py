@@ -1,11 +1,16 @@
 """BVH: the hard cases of the format, the writer, the rate, what is judged."""
 
+from pathlib import Path
+
 import numpy as np
 import pytest
+from hypothesis import assume, example, given
+from hypothesis import strategies as st
 
 from leitmotion import io
 from leitmotion.datasets import Action, compose
-from leitmotion.io.bvh import frame_rate
+from leitmotion.io.bvh import frame_rate, write
+from leitmotion.io.bvh import read as parse
 from leitmotion.io.reading import Source
 from leitmotion.motion import FormatError, Motion, ParameterError, Skeleton, forward_kinematics, rotations
 
@@ -194,7 +199,10 @@ def test_a_rate_given_mends_a_missing_frame_time(tmp_path):
         ("0.0083333", 120), ("0.008333", 120), (".0083333", 120), (".03333", 30), ("0.0333333", 30), ("0.025000", 40),
         ("0.010000", 100), ("0.0166667", 60), ("0.016666", 60), ("0.041667", 24), ("3.33333e-02", 30),
         ("0.008342", 120000 / 1001), ("0.033367", 30000 / 1001), ("0.0417083", 24000 / 1001),
-        ("0.0215", 1 / 0.0215), ("0.033333344444", 1 / 0.033333344444), ("2", 0.5),
+        ("0.0167", 60), ("0.0417", 24), ("0.0083", 120), ("0.00833", 120), ("0.0333", 30),
+        ("0.033", 30), ("0.0334", 30),
+        ("0.016683", 60000 / 1001), ("0.3", 1 / 0.3), ("0.0215", 1 / 0.0215),
+        ("0.033333344444", 1 / 0.033333344444), ("2", 0.5),
     ],
 )  # fmt: skip
 def test_the_rate_that_a_rounded_frame_time_stands_for(tmp_path, text, rate):
@@ -259,6 +267,41 @@ def test_the_rate_is_kept_exactly(tmp_path, rng, rate):
 def test_only_joints_that_move_get_positions(tmp_path, rng):
     path = io.write(random_motion(rng, moving=(4,)), tmp_path / "clip.bvh")
     assert path.read_text().count("CHANNELS 6") == 2
+
+
+TRICKY = [
+    "c{",
+    "{",
+    "}",
+    "{}",
+    "c {",
+    "{c",
+    "End Site",
+    "MOTION",
+    "OFFSET 1 2 3",
+    "a\ufeff",
+    "a\u2028b",
+    "ä:#;",
+    "x{{",
+]
+
+
+@given(st.lists(st.text(min_size=1, max_size=6) | st.sampled_from(TRICKY), min_size=3, max_size=3))
+@example(["c{", "{", "}"])
+@example(["}", "c {", "{}"])
+def test_any_name_that_is_written_reads_back(names):
+    names = [" ".join(name.split()) or "blank" for name in names]
+    assume(len(set(names)) == 3)
+    still = np.tile(rotations.IDENTITY, (2, 3, 1))
+    motion = Motion(Skeleton(names, [-1, 0, 1], np.eye(3)), np.tile(np.eye(3), (2, 1, 1)), still, 30)
+    (take,) = parse(Source(Path("clip.bvh"), write(motion))).takes
+    assert take.names == names
+
+
+def test_a_name_that_is_no_text_is_refused():
+    motion = Motion(Skeleton(["\ud800"], [-1], [[0, 0, 0]]), [[[0, 0, 0]]], [[rotations.IDENTITY]], 30)
+    with pytest.raises(ParameterError, match="UTF-8"):
+        write(motion)
 
 
 def test_points_are_no_bvh(tmp_path):

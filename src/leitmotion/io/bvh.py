@@ -22,7 +22,7 @@ from leitmotion.io.units import unit_in_metres
 from leitmotion.motion import Motion, ParameterError, rotations
 
 _NTSC = (24000 / 1001, 30000 / 1001, 60000 / 1001, 120000 / 1001)
-_SNAP = 2e-3  # how far, relatively, a rate may lie from the one that its rounded frame time is taken for
+_SNAP = 0.02  # how far, relatively, a rate may lie from the reciprocal of its frame time
 
 CMU_BVH = frozenset({"lhipjoint", "rhipjoint", "lowerback", "lthumb", "rthumb"})
 """Joints that only the conversions of the CMU archive's own skeleton to BVH have together."""
@@ -90,8 +90,9 @@ def frame_rate(text: str, source: Source) -> Finding:
     Returns
     -------
     Finding
-        The nearest whole or broadcast rate whose frame time differs by less than one unit in the last place written,
-        else the reciprocal.
+        The nearest whole rate whose frame time differs by less than one unit in the last place written, or where none
+        does the nearest broadcast rate that does; else, or where that rate lies 2 % or more from the reciprocal, as of
+        a frame time of one digit, the reciprocal.
     """
     try:
         seconds = float(text.replace(",", "."))
@@ -107,8 +108,13 @@ def frame_rate(text: str, source: Source) -> Finding:
     mantissa, _, power = text.lower().partition("e")
     decimals = len(mantissa.replace(",", ".").partition(".")[2]) - int(power or 0)
     unit = 10.0**-decimals
-    near = min((max(1.0, round(exact)), *_NTSC), key=lambda rate: abs(1.0 / rate - seconds))
-    if abs(1.0 / near - seconds) < unit and abs(near / exact - 1.0) < _SNAP:
+    whole = max(1, round(exact))
+    broadcast = min(_NTSC, key=lambda rate: abs(1.0 / rate - seconds))
+    # a few digits fit both: 0.0167 s is 60 Hz and 59.94 Hz, and whole rates are the usual ones
+    near = next((rate for rate in (whole, broadcast) if abs(1.0 / rate - seconds) < unit), None)
+    if near is not None and abs(near / exact - 1.0) >= _SNAP:
+        near = None
+    if near is not None:
         taken = "" if 1.0 / near == seconds else f", taken as {near:.6g} Hz"
         return Finding(float(near), "read", f"frame time {text} s{taken}")
     for digits in (
@@ -175,9 +181,9 @@ def _take(joints: list[Joint], first: int, values: np.ndarray) -> SkeletonTake:
 def write(motion: Motion, *, unit: str | float = "cm") -> bytes:
     """Make the bytes of a BVH, Y up.
 
-    Joints stand depth first. The root has position channels, and so has a joint whose local position leaves its
-    offset; every joint turns in the order Z, Y, X. A leaf without an end site gets one of no length, which the
-    format asks for. The frame time is written with all its digits.
+    Joints stand depth first, and blanks within a name become one space. The root has position channels, and so has a
+    joint whose local position leaves its offset; every joint turns in the order Z, Y, X. A leaf without an end site
+    gets one of no length, which the format asks for. The frame time is written with all its digits.
 
     Parameters
     ----------
@@ -194,7 +200,7 @@ def write(motion: Motion, *, unit: str | float = "cm") -> bytes:
     Raises
     ------
     ParameterError
-        When it is no Motion or the unit is unknown.
+        When it is no Motion, the unit is unknown or a name is no text that UTF-8 can hold.
     """
     if not isinstance(motion, Motion):
         raise ParameterError(
@@ -246,7 +252,13 @@ def write(motion: Motion, *, unit: str | float = "cm") -> bytes:
     row = " ".join(["%.10g"] * table.shape[1])
     lines += ["MOTION", f"Frames: {len(motion)}", f"Frame Time: {1.0 / motion.rate:.17g}"]
     lines += [row % tuple(numbers) for numbers in table.tolist()]
-    return ("\n".join(lines) + "\n").encode("utf-8")
+    try:
+        return ("\n".join(lines) + "\n").encode("utf-8")
+    except UnicodeEncodeError as error:
+        name = error.object[error.start : error.end]
+        raise ParameterError(
+            f"A BVH is a text in UTF-8, which cannot hold {name!r} in a joint's name."
+        ) from None
 
 
 def _spell(vector: np.ndarray) -> str:

@@ -1,6 +1,6 @@
 """The HIERARCHY section of a BVH: joints, offsets, channels, end sites.
 
-The grammar is read by lines, so that colons, blanks or the word "end" within a joint's name do no harm.
+The grammar is read by lines, so that colons, blanks, braces or the word "end" within a joint's name do no harm.
 """
 
 from __future__ import annotations
@@ -57,7 +57,8 @@ def read_hierarchy(source: Source, warnings: list[str]) -> tuple[list[Joint], in
     while position < len(content):
         stop = content.find(b"\n", position)
         stop = len(content) if stop < 0 else stop
-        line = content[position:stop].decode("utf-8", "replace").strip("\ufeff \t\r")
+        line = content[position:stop].decode("utf-8", "replace").strip(" \t\r")
+        line = line if position else line.lstrip("\ufeff \t")
         if line.upper() == "MOTION":
             tree.close(position)
             return _distinct(tree.joints, warnings), stop + 1
@@ -89,8 +90,12 @@ class _Tree:
             for mark in line:
                 self._brace(mark, position)
             return
+        words = line.split(None, 1)
         brace = line.endswith("{")
-        words = line.rstrip("{").split(None, 1) or [""]
+        if brace and words[0].upper() in ("ROOT", "JOINT"):
+            brace = not self._on_next_line(position)  # else the name ends in one
+        if brace:
+            words = line[:-1].split(None, 1) or [""]
         word, rest = words[0].upper(), words[1].strip() if len(words) > 1 else ""
         if word in ("ROOT", "JOINT"):
             self._joint(word, rest, position)
@@ -118,6 +123,11 @@ class _Tree:
             raise self.source.fault(position, f"{len(self.open)} closing braces before MOTION", "none")
         if not self.joints:
             raise self.source.fault(position, "a ROOT before MOTION", "none")
+
+    def _on_next_line(self, position: int) -> bool:
+        """Whether the line after the one at a byte that is not blank begins with an opening brace."""
+        stop = self.source.content.find(b"\n", position)
+        return stop >= 0 and re.compile(rb"\s*\{").match(self.source.content, stop) is not None
 
     def _joint(self, word: str, name: str, position: int) -> None:
         if (word == "ROOT") == bool(self.open) or self.open[-1:] == [_END] or self.awaited is not None:
