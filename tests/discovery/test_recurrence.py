@@ -163,13 +163,23 @@ def test_what_is_found_is_well_formed(found):
     for pattern in found.patterns:
         assert 0 <= pattern.confidence <= 1
         assert pattern.reason
+        assert set(pattern.occurrences.labels) == {pattern.id}
+    by_id = {pattern.id: pattern for pattern in found}
     for pair in found.pairs:
-        (pattern,) = [p for p in found.patterns if p.id == pair.pattern]
-        for start, stop in (pair.a, pair.b):
-            inside = sum(max(0, min(stop, b) - max(start, a)) for a, b, _, _ in pattern.stretches)
-            assert inside >= 0.9 * (stop - start)
-        assert (np.diff(pair.path, axis=0) >= 0).all()
-        assert pair.a[0] < pair.b[0]
+        earlier, later = (_holding(by_id[pair.pattern].occurrences, span) for span in (pair.a, pair.b))
+        assert earlier < later
+    for stripe in found.stripes:
+        for span in (stripe.a, stripe.b):
+            _holding(by_id[stripe.pattern].stretches, span, slack=4)
+    for path in (pair.path for pair in (*found.pairs, *found.stripes)):
+        assert (np.diff(path, axis=0) >= 0).all()
+        assert (path[:, 0] < path[:, 1]).all()
+
+
+def _holding(spans, span, slack=0):
+    """Which of some stretches holds this one."""
+    (which,) = np.flatnonzero((spans.starts - slack <= span[0]) & (span[1] <= spans.stops + slack))
+    return which
 
 
 def test_unknown_methods_and_options_are_refused(found):

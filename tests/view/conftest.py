@@ -92,7 +92,7 @@ def patterns_of(session: Any) -> Patterns:
             )
         )
         pairs += [PatternPair(letter, straight_path(a, b), 0.03) for a, b in itertools.pairwise(cycles)]
-    return Patterns(tuple(found), tuple(pairs), RATE, {"min_duration_s": 0.5})
+    return Patterns(tuple(found), (), RATE, {"min_duration_s": 0.5}, stripes=tuple(pairs))
 
 
 @pytest.fixture(scope="session")

@@ -39,14 +39,17 @@ def long_page(known: Any, folder: Path) -> Path:
             moved = [(a * 4 + k * once, b * 4 + k * once) for k in range(rounds) for a, b, _, _ in one]
             spans[what] = type(one)([a for a, _ in moved], [b for _, b in moved], rate=120.0)
         patterns.append(pattern.replace(**spans))
-    for pair in known.patterns.pairs:
+    for pair in known.patterns.stripes:
         for k in range(rounds):
             pairs += [
                 PatternPair(pair.pattern, pair.path * 4 + [k * once, j * once], 0.03)
                 for j in range(k, rounds)
             ]
     page = known._replace(
-        body=body, matrix=matrix, patterns=Patterns(tuple(patterns), tuple(pairs), 120.0, {}), labels=None
+        body=body,
+        matrix=matrix,
+        patterns=Patterns(tuple(patterns), (), 120.0, {}, stripes=tuple(pairs)),
+        labels=None,
     )
     path = folder / "long.html"
     path.write_text(page.page(), encoding="utf-8")

@@ -124,9 +124,9 @@ def test_nearest_moments_carry_their_distance(payload: dict[str, Any], known: An
 def test_stripes_are_the_paths_in_seconds(payload: dict[str, Any], known: Any) -> None:
     stripes = payload["stripes"]
     points = unpack(stripes["points"])
-    assert len(stripes["length"]) == len(stripes["pattern"]) == len(known.patterns.pairs)
+    assert len(stripes["length"]) == len(stripes["pattern"]) == len(known.patterns.stripes)
     at = 0
-    for length, pair in zip(stripes["length"], known.patterns.pairs):
+    for length, pair in zip(stripes["length"], known.patterns.stripes):
         path = points[at : at + length]
         at += length
         np.testing.assert_allclose(path[0] * 30, pair.path[0], atol=1e-3)

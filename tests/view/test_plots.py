@@ -34,7 +34,7 @@ def pattern(name="A", kind="cyclic", confidence=0.9, rate=30.0):
 
 def patterns(*which):
     path = np.stack([np.arange(60), np.arange(60) + 30], axis=1)
-    return Patterns(which, tuple(PatternPair(p.id, path, 0.05) for p in which), 30.0, {})
+    return Patterns(which, (), 30.0, {}, stripes=tuple(PatternPair(p.id, path, 0.05) for p in which))
 
 
 def person(turn=0.0, place=(0.0, 0.0, 0.0), roles=ANALYSIS_ROLES):

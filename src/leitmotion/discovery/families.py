@@ -26,7 +26,7 @@ TOUCH = 0.25  # a pause of a quarter of the lag still joins two cycles
 ALIGNED = 0.6  # stripes whose joint extents overlap by this much (of their union) begin and end together
 MULTIPLE = 0.6  # a longer period is a multiple where shorter ones fill this much of it
 SAME_PERIOD = 1.5  # ratio of periods within which two runs may be one movement
-WHOLE = 0.75  # share of a cycle that counts as one at the end of a stretch, where the movement dies down
+WHOLE = 0.75  # share of a cycle's movement that counts as one at the end of a stretch
 
 
 @dataclass(eq=False)
@@ -51,15 +51,15 @@ def is_near(stripe: Stripe) -> bool:
     return stripe.b[0] - stripe.a[1] <= TOUCH * stripe.lag
 
 
-def cyclic_runs(stripes: Sequence[Stripe], moving: np.ndarray) -> list[Run]:
+def cyclic_runs(stripes: Sequence[Stripe], speed: np.ndarray) -> list[Run]:
     """Group near stripes into runs and cut each into cycles.
 
     Parameters
     ----------
     stripes : sequence of Stripe
         Those to be explained; only near ones are.
-    moving : (N,) bool
-        Whether the body moves at each moment; see :class:`leitmotion.discovery.stripes.Likeness`.
+    speed : (N,) float
+        How fast the posture changes at each moment; see :class:`leitmotion.discovery.stripes.Likeness`.
 
     Returns
     -------
@@ -69,7 +69,7 @@ def cyclic_runs(stripes: Sequence[Stripe], moving: np.ndarray) -> list[Run]:
     runs = [_run_of(group) for group in _aligned(sorted(filter(is_near, stripes), key=lambda s: s.lag))]
     runs = _joined(_without_multiples(runs))
     for run in runs:
-        run.borders = _cut(run, moving)
+        run.borders = _cut(run, speed)
     runs = [run for run in runs if run.cycles >= 2]
     return sorted(_apart(runs), key=lambda run: run.start)
 
@@ -164,10 +164,10 @@ def _joined(runs: list[Run]) -> list[Run]:
     return joined
 
 
-def _cut(run: Run, moving: np.ndarray) -> list[float]:
+def _cut(run: Run, speed: np.ndarray) -> list[float]:
     """Carry the first border from cycle to cycle along the stripes of one period.
 
-    The last cycle is whole when it moves as long as the others do: no rest need follow it.
+    The last cycle is whole when it goes as far as the others do: no rest need follow it.
     """
     borders = [float(run.start)]
     while True:
@@ -182,18 +182,15 @@ def _cut(run: Run, moving: np.ndarray) -> list[float]:
         if t + step > run.stop or step < 1:
             break
         borders.append(t + step)
-    if run.stop - borders[-1] >= WHOLE * _moving_part(run, borders, moving):
+    whole = [_travelled(start, stop, speed) for start, stop in pairwise(borders)]
+    if whole and _travelled(borders[-1], run.stop, speed) >= WHOLE * float(np.median(whole)):
         borders.append(float(run.stop))
     return borders
 
 
-def _moving_part(run: Run, borders: list[float], moving: np.ndarray) -> float:
-    """Median length of a cycle up to the rest that follows it."""
-    lengths = []
-    for start, stop in pairwise(borders):
-        active = np.flatnonzero(moving[int(start) : int(np.ceil(stop))])
-        lengths.append(float(active[-1] + 1) if active.size else stop - start)
-    return float(np.median(lengths)) if lengths else run.period
+def _travelled(start: float, stop: float, speed: np.ndarray) -> float:
+    """How far the posture goes in a stretch of time: what a rest adds to hardly at all."""
+    return float(speed[int(start) : int(np.ceil(stop))].sum())
 
 
 def _apart(runs: list[Run]) -> list[Run]:

@@ -9,6 +9,9 @@ Frames are half-open and belong to the recording's own rate.
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from itertools import pairwise
+
 import numpy as np
 
 from leitmotion.motion.errors import ParameterError
@@ -75,7 +78,7 @@ class Pattern(Noun):
 
 @noun
 class PatternPair(Noun):
-    """Two stretches that show the same movement: a stripe in the matrix.
+    """Two stretches of time that show the same movement, moment by moment.
 
     Parameters
     ----------
@@ -114,7 +117,10 @@ class Patterns(Noun):
     patterns : tuple of Pattern
         In order of the time they fill, most first.
     pairs : tuple of PatternPair
-        The traced paths; both ends of each lie in stretches of its pattern.
+        Paths between two occurrences of one pattern, at most one for each two.
+    stripes : tuple of PatternPair
+        The paths as they were traced, as long as they go: through several cycles, and of a movement that repeats
+        without a break with ends that overlap. Both ends lie in stretches of the pattern.
     rate : float
         Frames per second of the recording.
     parameters : dict
@@ -128,12 +134,60 @@ class Patterns(Noun):
     rate: float
     parameters: dict[str, object]
     nearest_miss: str = ""
+    stripes: tuple[PatternPair, ...] = ()
 
     def __post_init__(self) -> None:
         check_rate(self)
 
     def __len__(self) -> int:
         return len(self.patterns)
+
+    def __iter__(self) -> Iterator[Pattern]:
+        return iter(self.patterns)
+
+
+def cut_at_occurrences(
+    path: np.ndarray, occurrences: Segmentation, *, share: float = 0.5
+) -> dict[tuple[int, int], slice]:
+    """Cut a traced path into what it says of each two occurrences.
+
+    Parameters
+    ----------
+    path : (K, 2) int
+        Frames of the earlier and of the later moment, never decreasing.
+    occurrences : Segmentation
+        In order, without overlap.
+    share : float
+        How much of both occurrences a piece must pass through.
+
+    Returns
+    -------
+    dict of (int, int) to slice
+        The piece of the path by which two occurrences it joins.
+
+    Examples
+    --------
+    >>> cycles = Segmentation([0, 10, 20], [10, 20, 30], rate=1)
+    >>> path = np.stack((np.arange(20), np.arange(10, 30)), axis=1)
+    >>> cut_at_occurrences(path, cycles)
+    {(0, 1): slice(0, 10, None), (1, 2): slice(10, 20, None)}
+    """
+    which = np.searchsorted(occurrences.starts, path, side="right") - 1
+    inside = (which >= 0) & (path < occurrences.stops[which])
+    pieces = {}
+    edges = (
+        np.flatnonzero((np.diff(which, axis=0) != 0).any(axis=1) | (np.diff(inside, axis=0) != 0).any(axis=1))
+        + 1
+    )
+    for start, stop in pairwise([0, *edges.tolist(), len(path)]):
+        k, m = which[start].tolist()
+        if k == m or not inside[start].all():
+            continue
+        passed = path[stop - 1] - path[start] + 1
+        lengths = occurrences.stops[[k, m]] - occurrences.starts[[k, m]]
+        if (passed >= share * lengths).all():
+            pieces[k, m] = slice(start, stop)
+    return pieces
 
 
 def letter(k: int) -> str:

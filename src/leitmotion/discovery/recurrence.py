@@ -14,12 +14,12 @@ aligned paths, cycles. docs/papers/P.md tells where and why this differs.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from leitmotion.discovery.families import Run, cyclic_runs
-from leitmotion.discovery.pattern import Pattern, PatternPair, Patterns, letter
+from leitmotion.discovery.pattern import Pattern, PatternPair, Patterns, cut_at_occurrences, letter
 from leitmotion.discovery.returns import Return, Theme, returns_of, themes_of
 from leitmotion.discovery.stripes import Likeness, Stripe, likeness, part, trace_stripes
 from leitmotion.features.resampling import resample
@@ -99,25 +99,43 @@ def find_recurrences(
     )
     shortest = round(min_duration_s * WORKING_RATE)
     stripes = [s for s in traced if s.contrast >= min_contrast and s.lag >= MIN_PERIOD_S * WORKING_RATE]
-    themes = [_settled(theme) for theme in themes_of(cyclic_runs(stripes, alike.moving), stripes)]
+    themes = [_settled(theme) for theme in themes_of(cyclic_runs(stripes, alike.speed), stripes)]
     returns = returns_of(themes, stripes, distances, alike, shortest=shortest, min_contrast=min_contrast)
 
     scribe = _Scribe(features, distances, alike, max_distance)
     found = [scribe.cyclic(theme) for theme in themes] + [scribe.acyclic(item) for item in returns]
     if stillness:
         found += [scribe.held(spans) for spans in _held_postures(distances, alike, max_distance, shortest)]
-    found.sort(key=lambda item: -_filled(item[0]))
-    named = [
-        (pattern.replace(id=letter(k)), [pair.replace(pattern=letter(k)) for pair in pairs])
-        for k, (pattern, pairs) in enumerate(found)
-    ]
+    found.sort(key=lambda item: -_filled(item.pattern))
+    named = [item.named(letter(k)) for k, item in enumerate(found)]
     return Patterns(
-        tuple(pattern for pattern, _ in named),
-        tuple(pair for _, pairs in named for pair in pairs),
+        tuple(item.pattern for item in named),
+        tuple(pair for item in named for pair in item.pairs),
         features.rate,
         parameters,
-        "" if named else _nearest_miss(distances, features, parameters),
+        "" if named else _nearest_miss(distances, alike, features, parameters),
+        tuple(stripe for item in named for stripe in item.stripes),
     )
+
+
+class _Found(NamedTuple):
+    """A pattern with what shows it."""
+
+    pattern: Pattern
+    pairs: list[PatternPair]
+    stripes: list[PatternPair]
+
+    def named(self, name: str) -> _Found:
+        spans = {
+            what: value.replace(labels=(name,) * len(value))
+            for what in ("occurrences", "stretches")
+            for value in [getattr(self.pattern, what)]
+        }
+        return _Found(
+            self.pattern.replace(id=name, **spans),
+            [pair.replace(pattern=name) for pair in self.pairs],
+            [stripe.replace(pattern=name) for stripe in self.stripes],
+        )
 
 
 class _Scribe:
@@ -135,7 +153,7 @@ class _Scribe:
         self.alike = alike
         self.max_distance = max_distance
 
-    def cyclic(self, theme: Theme) -> tuple[Pattern, list[PatternPair]]:
+    def cyclic(self, theme: Theme) -> _Found:
         cycles = [
             (a, b) for run in theme.runs for a, b in zip(run.borders[:-1], run.borders[1:], strict=True)
         ]
@@ -143,12 +161,12 @@ class _Scribe:
         shown = [piece for stripe in theme.stripes if (piece := self._within(stripe, extents)) is not None]
         return self._write("cyclic", cycles, extents, shown)
 
-    def acyclic(self, found: Return) -> tuple[Pattern, list[PatternPair]]:
+    def acyclic(self, found: Return) -> _Found:
         return self._write("acyclic", found.spans, found.spans, found.stripes)
 
-    def held(self, spans: list[tuple[float, float]]) -> tuple[Pattern, list[PatternPair]]:
-        pattern, _ = self._write("acyclic", spans, spans, [])
-        return pattern.replace(reason="a posture that is held again, without movement"), []
+    def held(self, spans: list[tuple[float, float]]) -> _Found:
+        pattern, _, _ = self._write("acyclic", spans, spans, [])
+        return _Found(pattern.replace(reason="a posture that is held again, without movement"), [], [])
 
     def _write(
         self,
@@ -156,7 +174,7 @@ class _Scribe:
         occurrences: Sequence[tuple[float, float]],
         extents: Sequence[tuple[float, float]],
         stripes: Sequence[Stripe],
-    ) -> tuple[Pattern, list[PatternPair]]:
+    ) -> _Found:
         costs, pairs = self._compare(occurrences)
         scores = [
             float(
@@ -178,7 +196,26 @@ class _Scribe:
             confidence=round(float(np.sqrt(clarity * agreement)) * _evidence(len(stripes)), 3),
             reason=self._reason(kind, costs, contrast, agreement),
         )
-        return pattern, [PatternPair("?", self._to_frames(s.path), s.cost * self.scale) for s in stripes]
+        return _Found(
+            pattern, self._pairs(spans, stripes), [self._pair(stripe.path, self.frames) for stripe in stripes]
+        )
+
+    def _pairs(self, occurrences: Segmentation, stripes: Sequence[Stripe]) -> list[PatternPair]:
+        """What the stripes say of each two occurrences; of several pieces the longest."""
+        pieces: dict[tuple[int, int], np.ndarray] = {}
+        for stripe in stripes:
+            frames = np.round(stripe.path * self.ratio).astype(np.int64)
+            for joined, piece in cut_at_occurrences(frames, occurrences).items():
+                if len(stripe.path[piece]) > len(pieces.get(joined, ())):
+                    pieces[joined] = stripe.path[piece]
+        return [self._pair(path, occurrences.stops[list(joined)]) for joined, path in sorted(pieces.items())]
+
+    def _pair(self, path: np.ndarray, stop: np.ndarray | int) -> PatternPair:
+        """One point a moment of the working rate, and the last frame of the last moment."""
+        last = np.maximum((path[-1:] + 1) * self.ratio - 1, path[-1:] * self.ratio)
+        frames = np.round(np.concatenate((path * self.ratio, last))).astype(np.int64)
+        cost = float(np.nanmean(self.distances[path[:, 0], path[:, 1]]))
+        return PatternPair("?", np.minimum(frames, np.asarray(stop) - 1), cost * self.scale)
 
     def _compare(self, occurrences: Sequence[tuple[float, float]]) -> tuple[np.ndarray, np.ndarray]:
         """Align pairs of occurrences, neighbours first: mean distances (K,), and which pairs (K, 2)."""
@@ -206,12 +243,6 @@ class _Scribe:
         starts, stops = borders[:, 0], borders[:, 1]
         stops[:-1] = np.minimum(stops[:-1], np.maximum(starts[1:], starts[:-1] + 1))
         return Segmentation(starts, stops, ("",) * len(starts), scores, self.rate)
-
-    def _to_frames(self, path: np.ndarray) -> np.ndarray:
-        """One point a moment of the working rate, and the last frame of the last moment."""
-        last = np.maximum((path[-1:] + 1) * self.ratio - 1, path[-1:] * self.ratio)
-        frames = np.concatenate((path * self.ratio, last))
-        return np.minimum(np.round(frames).astype(np.int64), self.frames - 1)
 
     def _reason(self, kind: str, costs: np.ndarray, contrast: float, agreement: float) -> str:
         what = "cycles" if kind == "cyclic" else "occurrences"
@@ -293,11 +324,15 @@ def _filled(pattern: Pattern) -> int:
     return int((pattern.stretches.stops - pattern.stretches.starts).sum())
 
 
-def _nearest_miss(distances: np.ndarray, features: FeatureSequence, asked: dict[str, Any]) -> str:
+def _nearest_miss(
+    distances: np.ndarray, alike: Likeness, features: FeatureSequence, asked: dict[str, Any]
+) -> str:
     """Say what came nearest when nothing was found: search once more, twice as generously.
 
     Empty where nothing comes near even so.
     """
+    if alike.still.all():
+        return "The body keeps still all the time, and stillness does not count as a repeat."
     generous = 2 * asked["max_distance"]
     alike = likeness(
         distances, WORKING_RATE, max_distance=generous, min_amplitude=asked["min_amplitude"], share=1.0

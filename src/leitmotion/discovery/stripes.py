@@ -38,6 +38,9 @@ class Likeness(NamedTuple):
     still: np.ndarray
     """(N,) bool: the body keeps still around this moment."""
 
+    speed: np.ndarray
+    """(N,) how fast the posture changes, body sizes a moment, smoothed over a tenth of a second."""
+
     moving: np.ndarray
     """(N,) bool: it moves at this very moment, and is not about to start or at rest between two repeats."""
 
@@ -107,14 +110,15 @@ def likeness(
     Returns
     -------
     Likeness
-        Threshold, stillness and movement of each moment.
+        Threshold, stillness, speed and movement of each moment.
     """
     from leitmotion.discovery._kernels import amplitudes
 
     amplitude = amplitudes(distances, round(REACH_S * rate))
     threshold = np.minimum(max_distance, share * amplitude).astype(np.float32)
+    speed = _speed(distances, rate)
     return Likeness(
-        np.maximum(threshold, np.float32(1e-6)), amplitude < min_amplitude, _moving(distances, rate)
+        np.maximum(threshold, np.float32(1e-6)), amplitude < min_amplitude, speed, _moving(speed, rate)
     )
 
 
@@ -190,12 +194,17 @@ def measure(path: np.ndarray, distances: np.ndarray, alike: Likeness) -> Stripe 
     return Stripe(path, float(np.nanmean(d)), float(np.nanmedian(block)), float(np.nansum(gain)))
 
 
-def _moving(distances: np.ndarray, rate: float) -> np.ndarray:
-    from scipy.ndimage import maximum_filter1d, uniform_filter1d
+def _speed(distances: np.ndarray, rate: float) -> np.ndarray:
+    from scipy.ndimage import uniform_filter1d
 
     step = np.nan_to_num(np.diagonal(distances, 1))
-    speed = uniform_filter1d(np.concatenate((step[:1], step)), max(1, round(0.1 * rate)))
-    return speed > REST_SHARE * maximum_filter1d(speed, 2 * round(REACH_S * rate) + 1)
+    return np.asarray(uniform_filter1d(np.concatenate((step[:1], step)), max(1, round(0.1 * rate))))
+
+
+def _moving(speed: np.ndarray, rate: float) -> np.ndarray:
+    from scipy.ndimage import maximum_filter1d
+
+    return np.asarray(speed > REST_SHARE * maximum_filter1d(speed, 2 * round(REACH_S * rate) + 1))
 
 
 def part(stripe: Stripe, keep: np.ndarray, distances: np.ndarray, alike: Likeness) -> Stripe | None:

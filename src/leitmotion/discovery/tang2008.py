@@ -20,7 +20,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from leitmotion.discovery.pattern import Pattern, PatternPair, Patterns, letter
+from leitmotion.discovery.pattern import Pattern, PatternPair, Patterns, cut_at_occurrences, letter
 from leitmotion.features.resampling import resample
 from leitmotion.features.sequence import FeatureSequence
 from leitmotion.motion.errors import ParameterError
@@ -133,7 +133,7 @@ def find_patterns_tang2008(
     scribe = _Scribe(
         features.rate, len(features), rate_hz, threshold, largest * features.scale, features.unit
     )
-    patterns, pairs = scribe.write(found, C)
+    patterns, pairs, stripes = scribe.write(found, C)
     parameters: dict[str, object] = {
         "method": "tang2008", "working_rate_hz": rate_hz,
         "threshold": threshold, "max_distance_own_unit": threshold * largest * features.scale,
@@ -143,7 +143,7 @@ def find_patterns_tang2008(
         "traces": len(traces), "families": sum(len(family) > 1 for family in families),
     }  # fmt: skip
     miss = "" if patterns else _nearest_miss(traced, shortest, threshold, rate_hz)
-    return Patterns(patterns, pairs, features.rate, parameters, miss)
+    return Patterns(patterns, pairs, features.rate, parameters, miss, stripes)
 
 
 def _check_positive(parameters: dict[str, object]) -> None:
@@ -245,10 +245,17 @@ def _cut_cycles(
         if lags:
             borders = [start, *(start + lag for lag in lags), stop]
             how = "one trace onto itself" if len(family) == 1 else f"{len(family)} aligned traces"
-            found.append(Found("cyclic", list(pairwise(borders)), [(start, stop)], list(family), how))
+            found.append(Found("cyclic", _whole(list(pairwise(borders))), [(start, stop)], list(family), how))
         else:
             single += [trace for trace in family if not _touches(trace, tolerance)]
     return found, single
+
+
+def _whole(cycles: list[tuple[int, int]]) -> list[tuple[int, int]]:
+    """Leave out what lasts more than twice as long as most cycles: a rest of the family without a peak."""
+    usual = float(np.median([stop - start for start, stop in cycles]))
+    kept = [(start, stop) for start, stop in cycles if stop - start <= 2 * usual]
+    return kept if len(kept) >= 2 else cycles
 
 
 def _touches(trace: Trace, tolerance: float) -> bool:
@@ -344,15 +351,16 @@ class _Scribe:
 
     def write(
         self, found: Sequence[Found], C: np.ndarray
-    ) -> tuple[tuple[Pattern, ...], tuple[PatternPair, ...]]:
-        """Name patterns by the time they fill, most first, with their pairs."""
+    ) -> tuple[tuple[Pattern, ...], tuple[PatternPair, ...], tuple[PatternPair, ...]]:
+        """Name patterns by the time they fill, most first; with their pairs of occurrences and their traces."""
         by_time = sorted(found, key=lambda f: (-sum(b - a for a, b in f.stretches), f.stretches))
-        patterns, pairs = [], []
+        patterns, pairs, stripes = [], [], []
         for k, one in enumerate(by_time):
             stretches = self._frames_of(one.stretches, np.full(len(one.stretches), np.nan), letter(k))
             patterns.append(self._pattern(letter(k), one, stretches, C))
-            pairs += self._pairs(letter(k), one, stretches)
-        return tuple(patterns), tuple(pairs)
+            pairs += self._pairs(letter(k), one, patterns[-1].occurrences, C)
+            stripes += self._stripes(letter(k), one, stretches)
+        return tuple(patterns), tuple(pairs), tuple(stripes)
 
     def _pattern(self, name: str, one: Found, stretches: Segmentation, C: np.ndarray) -> Pattern:
         cost = float(np.mean([trace.cost for trace in one.traces]))
@@ -384,7 +392,24 @@ class _Scribe:
             answer[k] = np.clip(1 - np.mean(costs) / self.threshold, 0, 1)
         return answer
 
-    def _pairs(self, name: str, one: Found, stretches: Segmentation) -> list[PatternPair]:
+    def _pairs(self, name: str, one: Found, occurrences: Segmentation, C: np.ndarray) -> list[PatternPair]:
+        """What the traces say of each two occurrences; of several pieces the longest."""
+        pieces: dict[tuple[int, int], np.ndarray] = {}
+        for trace in one.traces:
+            frames = np.rint(trace.path * self.ratio).astype(np.int64)
+            for joined, piece in cut_at_occurrences(frames, occurrences).items():
+                if len(trace.path[piece]) > len(pieces.get(joined, ())):
+                    pieces[joined] = trace.path[piece]
+        return [
+            PatternPair(
+                name,
+                np.rint(path * self.ratio).astype(np.int64),
+                float(np.nanmean(C[path[:, 0], path[:, 1]])) * self.largest,
+            )
+            for _, path in sorted(pieces.items(), key=lambda item: item[0])
+        ]
+
+    def _stripes(self, name: str, one: Found, stretches: Segmentation) -> list[PatternPair]:
         """Write each trace, cut to the two stretches that hold its middle."""
         pairs = []
         for trace in one.traces:

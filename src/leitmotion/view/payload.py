@@ -277,7 +277,7 @@ def _pattern(pattern: Pattern, distances: np.ndarray, rate: float) -> dict[str, 
 def _stripes(patterns: Patterns) -> dict[str, Any]:
     """Warping paths one after the other: seconds of the earlier and of the later moment."""
     order = {p.id: k for k, p in enumerate(patterns.patterns)}
-    pairs = [pair for pair in patterns.pairs if pair.pattern in order]
+    pairs = [pair for pair in patterns.stripes if pair.pattern in order]
     every = max(1, round(patterns.rate / PATH_RATE))
     paths = [_thinned(pair.path, every) / patterns.rate for pair in pairs]
     lengths = [len(path) for path in paths]

@@ -96,7 +96,7 @@ def plot_matrix(
         interpolation="antialiased" if columns > SMOOTH_BELOW else "bilinear",
     )  # fmt: skip
     if patterns is not None:
-        for pair in patterns.pairs:
+        for pair in patterns.stripes:
             colour = colour_of(pair.pattern, colours)
             path = pair.path / patterns.rate
             axes.plot(path[:, 1], path[:, 0], color=colour, lw=1.6, **_halo(colours, 3.2), zorder=3)
