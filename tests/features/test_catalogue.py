@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from leitmotion.body import embody, find_roles
+from leitmotion.body import embody, find_roles, map_from
 from leitmotion.features import FEATURES, extract, posture
 from leitmotion.motion import Motion, ParameterError, Trajectories
 from oracles.body import human, moved, points_of, scaled
@@ -52,4 +52,23 @@ def test_errors_help(rng):
         extract("postures", motion)
     with pytest.raises(ParameterError, match="describes Motion, got Trajectories"):
         extract("joint_rotations", points_of(motion))
+    with pytest.raises(ParameterError, match="describes Body, got ndarray"):
+        extract("posture", np.zeros(3))
+    for name, source in (("posture", motion), ("posture", embody(motion)), ("joint_rotations", motion)):
+        with pytest.raises(ParameterError, match=f"feature {name} has no option 'foo'; it has .*roles"):
+            extract(name, source, foo=1)
+    for name, source in (("posture", embody(motion)), ("marker_posture", points_of(motion))):
+        with pytest.raises(ParameterError, match=f"feature {name} takes no body map"):
+            extract(name, source, find_roles(motion))
     assert isinstance(motion, Motion)
+
+
+def test_a_map_may_be_written_as_names(rng):
+    motion = human(rng)
+    entries = {"pelvis": "Hips", "left_hip": "LeftUpLeg", "left_knee": ["LeftLeg"]}
+    assert extract("joint_rotations", motion, entries).names == ("pelvis", "left_hip", "left_knee")
+    assert extract("joint_rotations", motion, entries) == extract(
+        "joint_rotations", motion, map_from(entries, motion)
+    )
+    with pytest.raises(ParameterError, match="'Hip'"):
+        extract("joint_rotations", motion, {"pelvis": "Hip"})

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+import inspect
+from collections.abc import Callable, Mapping, Sequence
 from difflib import get_close_matches
 from typing import Any, NamedTuple
 
-from leitmotion.body import Body, BodyMap, embody
+from leitmotion.body import Body, BodyMap, embody, map_from
 from leitmotion.features.markers import marker_posture
 from leitmotion.features.posture import posture
 from leitmotion.features.rotations import joint_rotations
@@ -52,7 +53,10 @@ FEATURES = {
 
 
 def extract(
-    name: str, source: Motion | Trajectories | Body, body_map: BodyMap | None = None, **options: Any
+    name: str,
+    source: Motion | Trajectories | Body,
+    body_map: BodyMap | Mapping[str, str | Sequence[str]] | None = None,
+    **options: Any,
 ) -> FeatureSequence:
     """Compute a feature by its name.
 
@@ -62,10 +66,11 @@ def extract(
         A key of :data:`FEATURES`.
     source : Motion, Trajectories or Body
         What to describe; a recording becomes a body where the feature takes one.
-    body_map : BodyMap, optional
-        Which joints or markers stand for which role; by default read from names.
+    body_map : BodyMap or mapping of str, optional
+        Which joints or markers stand for which role, also as the content of a map file; by default read from names.
     **options
-        Passed on to the feature: ``roles`` for posture, velocity and joint_rotations.
+        Passed on to the feature: ``roles`` for posture, velocity and joint_rotations, ``mid_back`` and ``trunk`` for
+        marker_posture.
 
     Returns
     -------
@@ -75,7 +80,8 @@ def extract(
     Raises
     ------
     ParameterError
-        When no feature bears that name, it does not take such a source or such an option.
+        When no feature bears that name, it does not take such a source or such an option, or a body map is given
+        where it has no use.
 
     Examples
     --------
@@ -90,12 +96,19 @@ def extract(
             f"There is no feature {name!r}.", remedy=f"{hint}Features are {', '.join(FEATURES)}."
         )
     feature = FEATURES[name]
-    if feature.takes is Body and not isinstance(source, Body):
+    if feature.takes is Body and isinstance(source, Motion | Trajectories):
         source, body_map = embody(source, body_map), None
     if not isinstance(source, feature.takes):
         raise ParameterError(
             f"The feature {name} describes {feature.takes.__name__}, got {type(source).__name__}."
         )
+    known = list(inspect.signature(feature.compute).parameters)[1:]
     if body_map is not None:
-        options["body_map"] = body_map
+        if "body_map" not in known or isinstance(source, Body):
+            why = "a body has its roles already" if isinstance(source, Body) else "it has no use for roles"
+            raise ParameterError(f"The feature {name} takes no body map here: {why}.")
+        options["body_map"] = body_map if isinstance(body_map, BodyMap) else map_from(body_map, source)
+    unknown = sorted(set(options) - set(known))
+    if unknown:
+        raise ParameterError(f"The feature {name} has no option {unknown[0]!r}; it has {', '.join(known)}.")
     return feature.compute(source, **options)
