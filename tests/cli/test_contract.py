@@ -9,9 +9,11 @@ from typing import Any
 
 import pytest
 
+import leitmotion
 from cli.conftest import Run
 from cli.json_schema import faults
 from leitmotion.cli.progress import COMPILING
+from leitmotion.datasets import Action, compose
 
 DOCS = Path(__file__).resolve().parents[2] / "docs" / "json.md"
 
@@ -76,13 +78,17 @@ def test_stretches_lie_in_the_recording_and_pairs_in_their_patterns(run: Run, ma
             )
 
 
-def test_nothing_found_is_done_and_tells_the_nearest_miss(
-    run: Run, made: Path, schema: dict[str, Any]
-) -> None:
-    told = run("patterns", made / "once.bvh", "--json")
+def test_nothing_found_is_done_and_tells_the_nearest_miss(run: Run, schema: dict[str, Any]) -> None:
+    actions = [
+        Action("squat", 1, period_s=1.8), Action("still"), Action("jumping jack", 1), Action("arm raise", 1)
+    ]  # fmt: skip
+    leitmotion.write(compose(actions, seed=2, rate=30.0).motion, "medley.bvh")
+    told = run("patterns", "medley.bvh", "--json")
     (document,) = documents(told.stdout)
     assert told.exit_code == 0
     assert document["result"]["patterns"] == []
+    assert re.match(r"The nearest: [\d.]+ to [\d.]+ s and .* cm apart", document["result"]["nearest_miss"])
+    assert document["result"]["nearest_miss"] in run("patterns", "medley.bvh").stdout
     assert faults(document, schema) == []
 
 
