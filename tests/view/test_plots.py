@@ -15,8 +15,10 @@ from leitmotion.discovery import Pattern, PatternPair, Patterns
 from leitmotion.motion import ParameterError, Segmentation
 from leitmotion.similarity import SimilarityMatrix
 from leitmotion.view.palette import THEMES
+from leitmotion.view.payload import page_payload
 from leitmotion.view.plots import plot_figures, plot_matrix, plot_patterns
 from leitmotion.view.stick_figures import figure_shapes
+from leitmotion.view.words import lane_head
 
 LIGHT = THEMES["light"]
 
@@ -75,6 +77,8 @@ def test_a_stripe_stands_above_the_diagonal_in_its_colour():
         ("m", 0.01, "8 cm apart or more"),
         ("rad", 1.0, "° apart or more"),
         ("px", 1.0, "px apart or more"),
+        ("px", 0.2, "10% of body size apart or more"),
+        ("m/s", 0.1, "cm/s apart or more"),
     ],
 )
 def test_the_legend_speaks_the_recordings_unit(unit, scale, words):
@@ -100,8 +104,24 @@ def test_lanes_hold_stretches_and_cycles():
     assert len(bars) == (1 + 3) + (3 + 3)
     words = [text.get_text() for text in axes.texts]
     assert [w for w in words if "stretch" in w] == ["1 stretch", "3 stretches"]
-    assert [w for w in words if " of " in w] == ["3 cycles of 1.00 s", "3 times of 1.00 s"]
+    assert [w for w in words if "of " in w] == ["3 cycles of 1.00 s", "of 1.00 s"]
     assert {"A", "B"} <= set(words)
+
+
+def test_a_lane_says_what_the_page_says():
+    for shown in (pattern("A"), pattern("A", "acyclic")):
+        words = {text.get_text() for text in plot_patterns(patterns(shown), seconds=5).axes[0].texts}
+        assert set(lane_head(shown)) <= words
+
+
+@pytest.mark.parametrize("scale", [0.01, 0.1, 1.0])
+def test_the_map_ends_where_the_pages_does(scale):
+    body = person()
+    body = body.replace(positions=np.repeat(body.positions, 120, axis=0), facing=np.zeros(120), rate=30)
+    told = page_payload(body, patterns(), matrix(scale=scale), source={})["distance"]
+    far = plot_matrix(matrix(scale=scale)).axes[0].images[0].get_clim()[1]
+    assert far == pytest.approx(told["cap"] * told["factor"])
+    assert 8 <= far <= 16
 
 
 def test_cycles_are_numbered_within_their_stretch():
@@ -187,6 +207,7 @@ def test_captions_are_times_or_what_is_given():
     body = person()
     twice = body.replace(positions=np.repeat(body.positions, 200, axis=0), facing=np.zeros(200))
     assert texts(plot_figures(twice, [0, 150])) == ["0:00.0", "0:02.5"]
+    assert texts(plot_figures(twice.replace(rate=199 / 59.97), [199])) == ["1:00.0"]
     assert texts(plot_figures(twice, [0, 150], captions=["start", "end"])) == ["start", "end"]
 
 

@@ -21,6 +21,7 @@ from leitmotion.motion import ParameterError, Segmentation
 from leitmotion.similarity import SimilarityMatrix
 from leitmotion.view import words
 from leitmotion.view.choose import MISSING, choose_key, choose_strips, find_nearest, floor_height, look_across
+from leitmotion.view.distances import distance_cap, how_told
 
 VERSION = 1
 DRAWN_RATE = 30.0
@@ -28,7 +29,6 @@ CELLS = 600
 BODY_SIZE = 1.6
 FULL_SIZE = 1.5
 PATH_RATE = 15.0
-CAP_PERCENTILE = 60
 NEAREST_QUANTUM = 1e-4
 STRIP_COUNTS = (*range(1, 15), 16, 18)
 HEAD_TOP = 0.14
@@ -78,11 +78,11 @@ def page_payload(
         When the matrix is not square or does not cover the body.
     """
     _check(body, matrix)
-    unit = _Unit(body, matrix)
+    unit = _Unit(body, matrix, patterns)
     step = max(1, round(body.rate / DRAWN_RATE))
     frames, seconds = len(range(0, len(body), step)), len(body) / body.rate
     moments, rate = _moments(matrix)
-    cap = _distance_cap(moments, unit)
+    cap = distance_cap(moments, unit.told) / unit.shown
     near, near_distances = find_nearest(moments, rate, cap=cap / unit.per_value)
     return {
         "version": VERSION,
@@ -97,7 +97,7 @@ def page_payload(
         },
         "clock": {"frames": frames, "rate": body.rate / step},
         "body": _body(body, step, unit, patterns),
-        "distance": {"factor": unit.shown, "unit": unit.word, "cap": cap},
+        "distance": {"factor": unit.shown, "unit": unit.told.word, "cap": cap},
         "matrix": _matrix(matrix, cap, unit),
         "nearest": {
             "rate": rate,
@@ -119,24 +119,17 @@ def page_payload(
 class _Unit:
     """How a distance of the matrix becomes a length of the drawing and a number that a person reads."""
 
-    def __init__(self, body: Body, matrix: SimilarityMatrix) -> None:
+    def __init__(self, body: Body, matrix: SimilarityMatrix, patterns: Patterns) -> None:
         self.draw = 1.0 if body.unit == "m" else BODY_SIZE / body.size
-        self.positional = matrix.metric == "mean_norm" and matrix.unit in ("m", "px", "relative")
-        if not self.positional:
-            shown = {"rad": (180 / np.pi, "°"), "m/s": (100.0, "cm/s")}
-            self.per_value = matrix.scale
-            self.shown, self.word = shown.get(matrix.unit, (1.0, matrix.unit))
-            self.least, self.most = 5.0, 30.0
-        elif body.unit == "m":
-            self.per_value, self.shown, self.word = matrix.scale, 100.0, "cm"
-            self.least, self.most = 8.0, 16.0
+        self.told = how_told(matrix, size=body.size)
+        places = matrix.metric == "mean_norm" and matrix.unit in ("m", "px", "relative")
+        self.positional = places and patterns.parameters.get("feature", "posture") == "posture"
+        if places:
+            self.per_value = matrix.scale * self.draw
+            self.shown = 100.0 if body.unit == "m" else 100 / BODY_SIZE
         else:
-            self.per_value, self.shown, self.word = (
-                matrix.scale * self.draw,
-                100 / BODY_SIZE,
-                "% of body size",
-            )
-            self.least, self.most = 5.0, 10.0
+            self.per_value = matrix.scale
+            self.shown = self.told.factor / matrix.scale
 
 
 def _check(body: Body, matrix: SimilarityMatrix) -> None:
@@ -154,19 +147,6 @@ def _moments(matrix: SimilarityMatrix) -> tuple[np.ndarray, float]:
     """Distances between moments, at most about 30 a second, and how many there are a second."""
     stride = max(1, round(matrix.row_rate / DRAWN_RATE))
     return matrix.values[::stride, ::stride], matrix.row_rate / stride
-
-
-def _distance_cap(distances: np.ndarray, unit: _Unit) -> float:
-    """Distance from which on the map is blank, a whole number: the 60th percentile off the diagonal, 8 to 16 cm.
-
-    The upper bound keeps "alike" meaningful where most postures differ greatly, as when a person lies down.
-    """
-    stride = max(1, len(distances) // 1000)
-    sample = distances[::stride, ::stride]
-    off = sample[~np.eye(len(sample), dtype=bool)]
-    off = off[np.isfinite(off)] * unit.per_value * unit.shown
-    typical = float(np.percentile(off, CAP_PERCENTILE)) if off.size else unit.least
-    return float(np.clip(np.ceil(typical - 1e-9), unit.least, unit.most)) / unit.shown
 
 
 def _body(body: Body, step: int, unit: _Unit, patterns: Patterns) -> dict[str, Any]:

@@ -9,7 +9,6 @@ a body is filled, the left is hollow.
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
@@ -19,8 +18,10 @@ from leitmotion.discovery import Pattern, Patterns
 from leitmotion.motion.errors import ParameterError
 from leitmotion.motion.segmentation import Segmentation
 from leitmotion.similarity import SimilarityMatrix
+from leitmotion.view.distances import Told, distance_cap, how_told
 from leitmotion.view.palette import Theme, colour_of, mixed, theme_named
 from leitmotion.view.stick_figures import Shape, figure_shapes
+from leitmotion.view.words import clock, lane_head
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -31,7 +32,6 @@ if TYPE_CHECKING:
 
 
 CELLS, SMOOTH_BELOW = 1500, 600  # more cells are not seen in print; fewer are smoothed
-CAP_SHARE, LEAST_CAP_CM = 60, 8  # the map's far end: this percentile of the distances, at least so many cm
 TICKS_S = (0.1, 0.2, 0.5, 1, 2, 5, 10, 30, 60, 120, 300, 600)
 UNCERTAIN = 0.5
 SMALL, BODY, TITLE = 8.0, 9.0, 11.0
@@ -86,11 +86,12 @@ def plot_matrix(
     colours = theme_named(theme)
     figure = _figure(width, width * 1.06, colours)
     axes = figure.add_axes((0.11, 0.105, 0.85, 0.85 / 1.06))
-    cap, far_end = _cap(matrix)
+    told = how_told(matrix)
+    cap = distance_cap(matrix.values, told)
     rows, columns = matrix.values.shape
     seconds = columns / matrix.column_rate, rows / matrix.row_rate
     axes.imshow(
-        matrix.values[:: max(1, rows // CELLS), :: max(1, columns // CELLS)] * matrix.scale,
+        matrix.values[:: max(1, rows // CELLS), :: max(1, columns // CELLS)] * told.factor,
         cmap=LinearSegmentedColormap.from_list("distance", colours.ramp[::-1]),
         vmin=0, vmax=cap, extent=(0, seconds[0], seconds[1], 0), aspect="auto",
         interpolation="antialiased" if columns > SMOOTH_BELOW else "bilinear",
@@ -106,7 +107,7 @@ def plot_matrix(
     _style(axes, colours)
     _unit_of_time(axes)
     axes.set_title(title, loc="left", fontsize=TITLE, color=colours.ink, pad=22)
-    _legend(figure, colours, far_end)
+    _legend(figure, colours, _far_end(cap, told))
     return figure
 
 
@@ -211,7 +212,7 @@ def plot_figures(
     chosen = [int(frame) for frame in frames]
     if not chosen or min(chosen) < 0 or max(chosen) >= len(body):
         raise ParameterError(f"frames must be some of 0 to {len(body) - 1}, got {list(frames)}.")
-    words = [_clock(frame / body.rate) for frame in chosen] if captions is None else list(captions)
+    words = [clock(frame / body.rate) for frame in chosen] if captions is None else list(captions)
     if len(words) != len(chosen):
         raise ParameterError(f"captions must be {len(chosen)}, one a frame, got {len(words)}.")
 
@@ -260,19 +261,9 @@ def _ticks(seconds: float) -> np.ndarray:
     return np.arange(0, seconds + 1e-9, step)
 
 
-def _cap(matrix: SimilarityMatrix) -> tuple[float, str]:
-    """Choose where the map is at its lightest, and say it: a distance in the recording's unit, and in words."""
-    rows, columns = matrix.values.shape
-    sample = matrix.values[:: max(1, rows // 500), :: max(1, columns // 500)]
-    apart = sample[np.isfinite(sample) & (sample > 0)]
-    middle = float(np.percentile(apart, CAP_SHARE)) * matrix.scale if apart.size else 1.0
-    if matrix.unit == "m":
-        centimetres = max(LEAST_CAP_CM, math.ceil(middle * 100))
-        return centimetres / 100, f"{centimetres} cm apart or more"
-    if matrix.unit == "rad":
-        degrees = math.ceil(math.degrees(middle))
-        return math.radians(degrees), f"{degrees}° apart or more"
-    return middle, f"{middle:.2g} {matrix.unit} apart or more"
+def _far_end(cap: float, told: Told) -> str:
+    """Say what the lightest cells of the map are."""
+    return f"{cap:.3g}{'' if told.word[0] in '°%' else ' '}{told.word} apart or more"
 
 
 def _legend(figure: Figure, colours: Theme, far_end: str) -> None:
@@ -343,12 +334,11 @@ def _bar(axes: Axes, lane: int, start: float, stop: float, fill: Any, hatch: str
 
 
 def _lane_head(axes: Axes, lane: int, pattern: Pattern, colour: str, colours: Theme) -> None:
-    count, kind = len(pattern.occurrences), "cycle" if pattern.kind == "cyclic" else "time"
-    stretches = f"{len(pattern.stretches)} stretch" + "es" * (len(pattern.stretches) > 1)
+    stretches, cycles = lane_head(pattern)
     chip = _in_head(axes, lane + 0.5, 0.14, pattern.id, colours.chip, SMALL)
     chip.set(weight="bold", ha="center", bbox={"boxstyle": "round,pad=0.28", "fc": colour, "ec": "none"})
     _in_head(axes, lane + 0.3, 0.34, stretches, colours.ink, SMALL)
-    _in_head(axes, lane + 0.7, 0.34, f"{count} {kind}s of {pattern.period_s:.2f} s", colours.ink2, SMALL - 1)
+    _in_head(axes, lane + 0.7, 0.34, cycles, colours.ink2, SMALL - 1)
 
 
 def _in_head(axes: Axes, lane: float, inches: float, words: str, colour: str, size: float) -> Text:
@@ -398,7 +388,3 @@ def _paint(
         if shape.parted:
             axes.add_patch(Polygon(outline, joinstyle="round", zorder=order, **halo))
         axes.add_patch(Polygon(outline, joinstyle="round", zorder=order + 0.5, lw=width, **style))
-
-
-def _clock(seconds: float) -> str:
-    return f"{int(seconds // 60)}:{seconds % 60:04.1f}"
