@@ -20,8 +20,8 @@ def matrix(postures):
 
 
 def trace(D, rate=30.0):
-    alike = stripes.likeness(D, rate, max_distance=0.06, min_amplitude=0.012)
-    return stripes.trace_stripes(D, alike, rate, max_distance=0.06, min_duration_s=0.5)
+    alike = stripes.likeness(D, rate, max_distance=0.08, min_amplitude=0.012)
+    return stripes.trace_stripes(D, alike, rate, max_distance=0.08, min_duration_s=0.5)
 
 
 def test_the_kernel_gives_every_path_the_gain_of_its_twin(rng):
@@ -87,7 +87,7 @@ def test_a_moment_is_carried_there_and_back():
 
 def test_a_part_is_measured_anew():
     D = matrix(wave(3))
-    alike = stripes.likeness(D, 30.0, max_distance=0.06, min_amplitude=0.012)
+    alike = stripes.likeness(D, 30.0, max_distance=0.08, min_amplitude=0.012)
     whole = max(trace(D), key=lambda s: s.gain)
     half = np.arange(len(whole.path)) < len(whole.path) // 2
     piece = stripes.part(whole, half, D, alike)

@@ -29,10 +29,11 @@ from leitmotion.motion.segmentation import Segmentation
 from leitmotion.similarity import align, self_distance
 
 WORKING_RATE = 30.0  # hertz
-MAX_DISTANCE = 0.06  # body sizes: mean distance of the joints of two postures that are alike
+MAX_DISTANCE = 0.08  # body sizes: mean distance of the joints of two postures that are alike
 MIN_AMPLITUDE = 0.012  # body sizes: what the joints must move, on average, not to be still
 MIN_CONTRAST = 0.4  # a stripe must be this much nearer than its surroundings
 MIN_PERIOD_S = 0.25
+MIN_AGREEMENT = 0.5  # of the pairs of occurrences must be alike
 COMPARED = 60  # pairs of occurrences that are aligned to judge a pattern
 
 
@@ -104,6 +105,7 @@ def find_recurrences(
 
     scribe = _Scribe(features, distances, alike, max_distance)
     found = [scribe.cyclic(theme) for theme in themes] + [scribe.acyclic(item) for item in returns]
+    found = [item for item in found if item.agreement >= MIN_AGREEMENT]
     if stillness:
         found += [scribe.held(spans) for spans in _held_postures(distances, alike, max_distance, shortest)]
     found.sort(key=lambda item: -_filled(item.pattern))
@@ -124,6 +126,7 @@ class _Found(NamedTuple):
     pattern: Pattern
     pairs: list[PatternPair]
     stripes: list[PatternPair]
+    agreement: float  # share of the pairs of occurrences that are alike
 
     def named(self, name: str) -> _Found:
         spans = {
@@ -135,6 +138,7 @@ class _Found(NamedTuple):
             self.pattern.replace(id=name, **spans),
             [pair.replace(pattern=name) for pair in self.pairs],
             [stripe.replace(pattern=name) for stripe in self.stripes],
+            self.agreement,
         )
 
 
@@ -165,8 +169,8 @@ class _Scribe:
         return self._write("acyclic", found.spans, found.spans, found.stripes)
 
     def held(self, spans: list[tuple[float, float]]) -> _Found:
-        pattern, _, _ = self._write("acyclic", spans, spans, [])
-        return _Found(pattern.replace(reason="a posture that is held again, without movement"), [], [])
+        pattern, *_ = self._write("acyclic", spans, spans, [])
+        return _Found(pattern.replace(reason="a posture that is held again, without movement"), [], [], 1.0)
 
     def _write(
         self,
@@ -196,9 +200,8 @@ class _Scribe:
             confidence=round(float(np.sqrt(clarity * agreement)) * _evidence(len(stripes)), 3),
             reason=self._reason(kind, costs, contrast, agreement),
         )
-        return _Found(
-            pattern, self._pairs(spans, stripes), [self._pair(stripe.path, self.frames) for stripe in stripes]
-        )
+        traced = [self._pair(stripe.path, self.frames) for stripe in stripes]
+        return _Found(pattern, self._pairs(spans, stripes), traced, agreement)
 
     def _pairs(self, occurrences: Segmentation, stripes: Sequence[Stripe]) -> list[PatternPair]:
         """What the stripes say of each two occurrences; of several pieces the longest."""
