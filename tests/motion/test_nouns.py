@@ -102,6 +102,55 @@ def test_the_callers_array_is_neither_frozen_nor_shared():
     assert not noun.local_positions.any()
 
 
+def test_a_read_only_view_of_what_can_be_written_is_copied():
+    base = np.zeros((24, 2, 3))
+    seen = base[::2]
+    seen.flags.writeable = False
+    noun = motion(local_positions=seen)
+    spread = motion(local_positions=np.broadcast_to(base[0], (12, 2, 3)))
+    base[:] = 1
+    assert not noun.local_positions.any()
+    assert not spread.local_positions.any()
+    assert spread.local_positions.strides[0] == 0  # one frame of memory for all of them
+    words = bytearray(8 * 72)
+    noun = motion(local_positions=np.frombuffer(memoryview(words).toreadonly()).reshape(12, 2, 3))
+    words[:] = b"?" * len(words)
+    assert not noun.local_positions.any()
+
+
+def test_what_nobody_can_write_to_is_taken_over():
+    places = np.zeros((12, 2, 3))
+    places.flags.writeable = False
+    offsets = np.broadcast_to(skeleton().offsets, (12, 2, 3))
+    assert motion(local_positions=places).local_positions is places
+    assert motion(local_positions=places[::-1]).local_positions.base is places
+    assert motion(local_positions=offsets).local_positions is offsets
+    whole = motion()
+    assert np.shares_memory(whole[3:7].local_positions, whole.local_positions)
+
+
+def test_a_foreign_array_is_copied():
+    class Foreign:
+        held = np.zeros((12, 2, 3))
+
+        def __array__(self, dtype=None, copy=None):
+            return self.held
+
+    noun = motion(local_positions=Foreign())
+    Foreign.held[:] = 1
+    assert not noun.local_positions.any()
+
+
+def test_whole_numbers_may_be_floats_and_quaternions_rounded():
+    assert spans(starts=[0.0, 5.0, 3.0]) == spans()
+    assert spans(starts=[0.0, 5.0, 3.0]).starts.dtype == np.int64
+    turned = np.tile(np.float32([0.1, 0.7, 0.7, 0.1]) / np.float32(1.0), (12, 2, 1))
+    turned /= np.linalg.norm(turned, axis=-1, keepdims=True)
+    assert motion(local_rotations=turned).local_rotations.dtype == np.float64
+    assert len(motion(local_positions=np.zeros((0, 2, 3)), local_rotations=STILL[:0])) == 0
+    assert markers(confidence=np.linspace(0, 1, 24).reshape(12, 2)).confidence.max() == 1.0
+
+
 @pytest.mark.parametrize(
     ("make", "change", "match"),
     [
@@ -121,6 +170,34 @@ def test_the_callers_array_is_neither_frozen_nor_shared():
             r"local_rotations must have shape \(12, 2, 4\), got \(5, 2, 4\)",
         ),
         (motion, {"local_rotations": STILL * np.nan}, "finite.*belong in Trajectories"),
+        (
+            motion,
+            {"local_rotations": STILL * 0},
+            "unit quaternions, got one of length 0 of joint 'a' in frame 0",
+        ),
+        (
+            motion,
+            {"local_rotations": np.where(np.arange(12)[:, None, None] == 7, STILL * 1.00001, STILL)},
+            "frame 7",
+        ),
+        (motion, {"skeleton": "ab"}, "skeleton must be a Skeleton, got 'ab'"),
+        (motion, {"local_positions": "here"}, "local_positions must be numbers, got 'here'"),
+        (motion, {"rate": "fast"}, "positive number of hertz, got 'fast'"),
+        (motion, {"rate": None}, "positive number of hertz, got None"),
+        (skeleton, {"names": ("a", "")}, "names must not be empty, got '' at 1"),
+        (skeleton, {"names": "ab"}, "names must be a sequence of texts, got 'ab'"),
+        (skeleton, {"names": 2}, "names must be a sequence of texts, got 2"),
+        (skeleton, {"parents": [-1, 0.5]}, r"parents must be whole numbers, got 0.5 at \(1,\)"),
+        (skeleton, {"end_parents": [0.5], "end_offsets": [[0, 0, 0]]}, "end_parents must be whole numbers"),
+        (markers, {"names": ("a", " ")}, "names must not be empty, got ' ' at 1"),
+        (markers, {"confidence": np.full((12, 2), 1.1)}, r"confidence must lie in \[0, 1\], got 1.1 to 1.1"),
+        (markers, {"confidence": np.full((12, 2), -0.1)}, r"confidence must lie in \[0, 1\]"),
+        (markers, {"confidence": np.full((12, 2), np.nan)}, "confidence must be finite"),
+        (spans, {"starts": [0.7, 5, 3]}, r"starts must be whole numbers, got 0.7 at \(0,\)"),
+        (spans, {"stops": [3.9, 9, 8]}, "stops must be whole numbers"),
+        (spans, {"stops": [np.nan, 9, 8]}, "stops must be whole numbers"),
+        (spans, {"stops": [1e30, 9, 8]}, "stops must be whole numbers"),
+        (spans, {"labels": "xyz"}, "labels must be a sequence of texts"),
         (motion, {"rate": 0}, "positive number of hertz, got 0"),
         (motion, {"rate": float("inf")}, "positive number of hertz"),
         (markers, {"positions": np.zeros((12, 2, 4))}, "2 or 3 coordinates, got 4"),

@@ -32,13 +32,17 @@ def split_people(names: list[str], positions: np.ndarray, kind: str = "marker") 
         subjects.setdefault(name.rpartition(":")[0], []).append(k)
     if len(subjects) == 1:
         person = next(iter(subjects))
-        return [PointTake([name.rpartition(":")[2] for name in names], positions, kind, person=person)]
+        return [PointTake([_bare(name) for name in names], positions, kind, person=person)]
     return [
-        PointTake(
-            [names[k].rpartition(":")[2] for k in which], positions[:, which], kind, person=person or OTHERS
-        )
+        PointTake([_bare(names[k]) for k in which], positions[:, which], kind, person=person or OTHERS)
         for person, which in subjects.items()
     ]
+
+
+def _bare(name: str) -> str:
+    """The name without its subject, or the whole where nothing follows the subject."""
+    bare = name.rpartition(":")[2]
+    return bare if bare.strip() else name
 
 
 def distinct(names: list[str], warnings: list[str]) -> list[str]:

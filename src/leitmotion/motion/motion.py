@@ -4,9 +4,12 @@ from __future__ import annotations
 
 import numpy as np
 
+from leitmotion.motion.errors import ParameterError
 from leitmotion.motion.noun import Noun, check_rate, noun, set_array
 from leitmotion.motion.skeleton import Skeleton
 from leitmotion.motion.time import slice_rate
+
+_UNIT = 1e-6  # how far from 1 the length of a unit quaternion may lie
 
 
 @noun
@@ -30,7 +33,8 @@ class Motion(Noun):
     Raises
     ------
     ParameterError
-        When shapes disagree with the skeleton, a number is not finite or the rate is not positive.
+        When shapes disagree with the skeleton, a number is not finite, a quaternion has another length than 1 (by more
+        than 1e-6) or the rate is not positive.
 
     Examples
     --------
@@ -50,9 +54,19 @@ class Motion(Noun):
     name: str = ""
 
     def __post_init__(self) -> None:
+        if not isinstance(self.skeleton, Skeleton):
+            raise ParameterError(f"Motion.skeleton must be a Skeleton, got {self.skeleton!r:.60}.")
         joints = len(self.skeleton)
         frames = set_array(self, "local_positions", dtype=np.float64, shape=(None, joints, 3)).shape[0]
-        set_array(self, "local_rotations", dtype=np.float64, shape=(frames, joints, 4))
+        quaternions = set_array(self, "local_rotations", dtype=np.float64, shape=(frames, joints, 4))
+        squares = np.einsum("tjc,tjc->tj", quaternions, quaternions)
+        if squares.size and not (squares.min() >= (1 - _UNIT) ** 2 and squares.max() <= (1 + _UNIT) ** 2):
+            frame, joint = np.unravel_index(np.abs(squares - 1.0).argmax(), squares.shape)
+            raise ParameterError(
+                "Motion.local_rotations must be unit quaternions, got one of length "
+                f"{squares[frame, joint] ** 0.5:.9g} of joint {self.skeleton.names[joint]!r} in frame {frame}.",
+                remedy="leitmotion.motion.rotations.normalize scales quaternions that are not zero.",
+            )
         check_rate(self)
 
     def __len__(self) -> int:

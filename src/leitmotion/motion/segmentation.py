@@ -28,7 +28,7 @@ class Segmentation(Noun):
     Raises
     ------
     ParameterError
-        When lengths disagree or a stretch stops before it starts.
+        When lengths disagree, a frame is not whole or a stretch stops before it starts.
 
     Examples
     --------
@@ -51,7 +51,7 @@ class Segmentation(Noun):
             object.__setattr__(self, "labels", ("",) * count)
         if np.size(self.scores) == 0:
             object.__setattr__(self, "scores", np.full(count, np.nan))
-        set_names(self, "labels", unique=False)
+        set_names(self, "labels", unique=False, empty=True)
         set_array(self, "scores", dtype=np.float64, shape=(count,), finite=False)
         if len(self.labels) != count:
             raise ParameterError(

@@ -31,7 +31,7 @@ class Skeleton(Noun):
     Raises
     ------
     ParameterError
-        When shapes disagree, a name is doubled or a parent stands after its child.
+        When shapes disagree, a name is doubled or empty, or a parent stands after its child.
 
     Examples
     --------
@@ -54,7 +54,7 @@ class Skeleton(Noun):
             raise ParameterError("Skeleton.names must hold at least one joint, got none.")
         parents = set_array(self, "parents", dtype=np.int64, shape=(count,))
         set_array(self, "offsets", dtype=np.float64, shape=(count, 3))
-        ends = np.atleast_1d(np.asarray(self.end_parents, dtype=np.int64)).reshape(-1)
+        ends = np.atleast_1d(np.asarray(self.end_parents)).reshape(-1)
         object.__setattr__(self, "end_parents", ends)
         object.__setattr__(self, "end_offsets", np.asarray(self.end_offsets, dtype=np.float64).reshape(-1, 3))
         set_array(self, "end_parents", dtype=np.int64, shape=(ends.size,))

@@ -30,14 +30,15 @@ class Trajectories(Noun):
     kind : {"marker", "joint"}
         Whether a point sits on the skin or in a joint.
     confidence : (T, P) float or None
-        How sure the source was of each point, 0 to 1.
+        How sure the source was of each point, 0 (not at all, or it did not say) to 1; never NaN.
     name : str
         What the recording is called.
 
     Raises
     ------
     ParameterError
-        When shapes disagree or a word is none of those listed.
+        When shapes disagree, a name is doubled or empty, a confidence lies outside 0 to 1 or a word is none of those
+        listed.
 
     Examples
     --------
@@ -66,7 +67,11 @@ class Trajectories(Noun):
         if np.isinf(positions).any():
             raise ParameterError("Trajectories.positions must be finite or NaN, got infinity.")
         if self.confidence is not None:
-            set_array(self, "confidence", dtype=np.float64, shape=positions.shape[:2])
+            sure = set_array(self, "confidence", dtype=np.float64, shape=positions.shape[:2])
+            if sure.size and not (sure.min() >= 0.0 and sure.max() <= 1.0):
+                raise ParameterError(
+                    f"Trajectories.confidence must lie in [0, 1], got {sure.min():g} to {sure.max():g}."
+                )
         if self.unit not in UNITS:
             raise ParameterError(f"Trajectories.unit must be one of {', '.join(UNITS)}, got {self.unit!r}.")
         if self.kind not in KINDS:
