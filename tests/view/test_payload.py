@@ -121,6 +121,14 @@ def test_nearest_moments_carry_their_distance(payload: dict[str, Any], known: An
     assert (distances[np.isnan(seconds)] == 65535).all()
 
 
+def test_a_body_without_facing_says_so(nothing: Any) -> None:
+    unturned = nothing.body.replace(facing_told=False)
+    for body, said in ((nothing.body, False), (unturned, True)):
+        page = page_payload(body, nothing.patterns, nothing.matrix, source={})
+        for text in (page["empty"], page["looked_for"]):
+            assert ("compared as they stand" in text) is said
+
+
 def test_stripes_are_the_paths_in_seconds(payload: dict[str, Any], known: Any) -> None:
     stripes = payload["stripes"]
     points = unpack(stripes["points"])

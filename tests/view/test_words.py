@@ -2,8 +2,10 @@
 
 import itertools
 
+import numpy as np
 import pytest
 
+from leitmotion.body import Body
 from leitmotion.discovery import Pattern, Patterns
 from leitmotion.motion import Segmentation
 from leitmotion.view import words
@@ -73,7 +75,7 @@ def test_the_title_is_what_was_found(patterns: Patterns, title: str) -> None:
             found(*(pattern(c, 1, 2) for c in "ABCDEFGHI")),
             "[A], [B], [C], [D], [E], [F], [G] and [H] repeat within one stretch each. One more recurs.",
         ),
-        (found(), "Every movement in these 38 seconds is made once."),
+        (found(), "Nothing in these 38 seconds was near and clear enough to count as a repeat."),
     ],
 )
 def test_the_lead_is_one_line_of_chips_and_counts(patterns: Patterns, lead: str) -> None:
@@ -126,7 +128,37 @@ def test_what_was_looked_for_names_the_shortest_length() -> None:
     ("seconds", "said"), [(0.4, "this second"), (5.8, "these 6 seconds"), (600, "these 10 minutes")]
 )
 def test_the_empty_lead_says_how_long(seconds: float, said: str) -> None:
-    assert plain(words.lead(found(), seconds)) == f"Every movement in {said} is made once."
+    assert plain(words.lead(found(), seconds)).startswith(f"Nothing in {said} was near")
+
+
+def test_points_that_could_not_be_turned_are_not_called_made_once() -> None:
+    unnamed = Body(("C1", "C2"), np.zeros((2, 2, 3)), np.zeros(2), rate=30, size=1.0, facing_told=False)
+    flat = unnamed.replace(positions=np.zeros((2, 2, 2)), unit="px")
+    ahead = unnamed.replace(facing_told=True)
+    assert words.as_they_stand(found(), ahead) == ""
+    assert words.as_they_stand(found(invariant_to=["place", "yaw"]), unnamed) == ""
+    told = words.as_they_stand(found(), unnamed)
+    assert "compared as they stand" in told
+    assert told.endswith("--map FILE.")
+    assert "--map" not in words.as_they_stand(found(invariant_to=["place"]), flat)
+    assert told in words.empty_text(found(), still=False, remark=told)
+
+
+def test_an_empty_lead_claims_no_more_than_was_seen() -> None:
+    swing = np.sin(np.arange(90) / 9)[:, None, None] * np.ones((1, 10, 3))
+    body = Body(tuple(f"C{k}" for k in range(10)), swing, np.zeros(90), rate=30, size=1.0)
+    near = "Nothing in these 3 seconds was near and clear enough to count as a repeat"
+    holes = swing.copy()
+    holes[:45, :8] = np.nan
+    for positions, said in (
+        (swing, f"{near}."),
+        (holes, f"{near}; 40% of the positions are unseen, which may be why."),
+        (swing / 1000, "Nothing moves here."),
+        (swing[:1], "One frame: nothing can come back in it."),
+        (np.full_like(swing, np.nan), "No point is ever seen."),
+    ):
+        person = body.replace(positions=positions, facing=np.zeros(len(positions)))
+        assert plain(words.lead(found(), 3.0, person)) == said
 
 
 def test_no_sentence_shouts_or_boasts() -> None:

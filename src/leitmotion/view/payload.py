@@ -83,11 +83,12 @@ def page_payload(
     frames, seconds = len(range(0, len(body), step)), len(body) / body.rate
     moments, rate = _moments(matrix)
     cap = distance_cap(moments, unit.told) / unit.shown
+    remark = words.as_they_stand(patterns, body)
     near, near_distances = find_nearest(moments, rate, cap=cap / unit.per_value)
     return {
         "version": VERSION,
         "title": words.title(patterns),
-        "lead": _lead(words.lead(patterns, seconds)),
+        "lead": _lead(words.lead(patterns, seconds, body)),
         "source": {
             "name": body.name or "recording",
             "path": str(source.get("path", "")),
@@ -111,8 +112,8 @@ def page_payload(
         "strips": [_array(chosen / rate, "f4") for chosen in choose_strips(moments, STRIP_COUNTS)],
         "empty": None
         if len(patterns)
-        else words.empty_text(patterns, still=_keeps_still(moments, rate, cap, unit)),
-        "looked_for": words.looked_for(patterns),
+        else words.empty_text(patterns, still=_keeps_still(moments, rate, cap, unit), remark=remark),
+        "looked_for": f"{words.looked_for(patterns)} {remark}".rstrip(),
     }
 
 

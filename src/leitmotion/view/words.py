@@ -11,6 +11,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import NamedTuple
 
+import numpy as np
+
+from leitmotion.body import Body
 from leitmotion.discovery import Pattern, Patterns
 
 NUMBERS = (
@@ -29,6 +32,8 @@ NUMBERS = (
     "twelve",
 )
 LEAD_CHIPS = 8
+STILL = 0.012  # body sizes: a body of which no point goes farther keeps still
+HOLES = 0.1  # share of positions unseen from which on they may be why nothing was found
 
 PLACES = {"toe": "toes"}
 
@@ -150,7 +155,32 @@ def title(patterns: Patterns) -> str:
     return f"{count_word(len(patterns)).capitalize()} movements recur"
 
 
-def lead(patterns: Patterns, seconds: float) -> Lead:
+def as_they_stand(patterns: Patterns, body: Body) -> str:
+    """Say that postures were compared without turning the person to one side, where the facing is unknown.
+
+    Parameters
+    ----------
+    patterns : Patterns
+        What was found; its parameters tell what the comparison is invariant to.
+    body : Body
+        The person.
+
+    Returns
+    -------
+    str
+        Two sentences, or one of points in a picture; empty where the person was turned.
+    """
+    if "yaw" in patterns.parameters.get("invariant_to", ("yaw",) if body.facing_told else ()):  # type: ignore[operator]
+        return ""
+    if body.positions.shape[2] == 2:
+        return "In a picture nobody can be turned, so a movement seen from another side counts as another."
+    return (
+        "Which way the person faces is not known, so the points were compared as they stand, and a movement made in "
+        "another direction counts as another. A map file that names the hips or shoulders settles it: --map FILE."
+    )
+
+
+def lead(patterns: Patterns, seconds: float, body: Body | None = None) -> Lead:
     """Say in one line which pattern comes back how often.
 
     Parameters
@@ -159,6 +189,8 @@ def lead(patterns: Patterns, seconds: float) -> Lead:
         What recurs.
     seconds : float
         Length of the recording.
+    body : Body, optional
+        The person: where nothing was found, it may tell why.
 
     Returns
     -------
@@ -166,7 +198,7 @@ def lead(patterns: Patterns, seconds: float) -> Lead:
         The pieces of the line, in order.
     """
     if not len(patterns):
-        return (f"Every movement in {_these_seconds(seconds)} is made once.",)
+        return (_nothing(seconds, body),)
     if len(patterns) == 1:
         only = patterns.patterns[0]
         return (Chip(only.id), f" {_stay(only)}.")
@@ -276,7 +308,7 @@ def cycles_in(pattern: Pattern, k: int) -> list[tuple[float, float]]:
     return [(a / rate, b / rate) for a, b, _, _ in pattern.occurrences if a >= first and b <= last]
 
 
-def empty_text(patterns: Patterns, *, still: bool) -> str:
+def empty_text(patterns: Patterns, *, still: bool, remark: str = "") -> str:
     """Say why nothing was found and what the page can still do.
 
     Parameters
@@ -285,6 +317,8 @@ def empty_text(patterns: Patterns, *, still: bool) -> str:
         A search without a result.
     still : bool
         Whether the body keeps still somewhere, so that the matrix shows dark blocks.
+    remark : str
+        What else a person should know, such as :func:`as_they_stand` says.
 
     Returns
     -------
@@ -301,6 +335,8 @@ def empty_text(patterns: Patterns, *, still: bool) -> str:
             "Moments look alike only where the body keeps still (the dark blocks), "
             "and stillness does not count as a repeat."
         )
+    if remark:
+        sentences.append(remark)
     sentences.append("You can still play it and compare any two moments.")
     return " ".join(sentences)
 
@@ -384,6 +420,26 @@ def _joined(pieces: Sequence[str | Chip]) -> list[str | Chip]:
     if joined and isinstance(joined[-1], str):
         joined[-1] = joined[-1].rstrip()
     return joined
+
+
+def _nothing(seconds: float, body: Body | None) -> str:
+    """Say that nothing came back, and what of that the recording itself explains."""
+    if body is not None and len(body) == 1:
+        return "One frame: nothing can come back in it."
+    seen = np.isfinite(body.positions).all(axis=2) if body is not None else np.array([])
+    if body is not None and not seen.any():
+        return "No point is ever seen."
+    if body is not None and _reach(body, seen) < STILL * body.size:
+        return "Nothing moves here."
+    unseen = 1.0 - float(seen.mean()) if seen.size else 0.0
+    why = f"; {unseen:.0%} of the positions are unseen, which may be why" if unseen >= HOLES else ""
+    return f"Nothing in {_these_seconds(seconds)} was near and clear enough to count as a repeat{why}."
+
+
+def _reach(body: Body, seen: np.ndarray) -> float:
+    """How far the point that moves most goes along an axis, in the unit of the body."""
+    places = body.positions[:, seen.any(axis=0)]
+    return float((np.nanmax(places, axis=0) - np.nanmin(places, axis=0)).max())
 
 
 def _these_seconds(seconds: float) -> str:
