@@ -13,8 +13,10 @@ import pytest
 import leitmotion
 from leitmotion import io
 from leitmotion.body import Body, BodyMap
+from leitmotion.datasets import Session
 from leitmotion.discovery.pattern import Pattern, PatternPair, Patterns
 from leitmotion.features.sequence import FeatureSequence
+from leitmotion.io import archive
 from leitmotion.motion import (
     FormatError,
     Motion,
@@ -50,9 +52,8 @@ def samples():
     yield Body(("pelvis", "head"), positions, np.zeros(4), 50, 1.6, name="x")
     yield FeatureSequence(rng.normal(size=(4, 6)), ("pelvis", "head"), 50, ("place",), width=3, scale=1.6)
     values = rng.uniform(size=(4, 4)).astype(np.float32)
-    fields = {f.name for f in dataclasses.fields(SimilarityMatrix)}
-    if {"values", "metric", "row_rate", "column_rate"} <= fields:
-        yield SimilarityMatrix(values, "mean_norm", 50.0, 50.0)
+    yield SimilarityMatrix(values, "mean_norm", 50.0, 50.0)
+    yield Session(motion, spans, empty)
     yield Alignment([[0, 0], [1, 1]], 0.5, 2)
 
 
@@ -78,23 +79,23 @@ def test_loading_what_was_saved_is_the_identity(tmp_path, key):
             assert getattr(back, field.name).dtype == value.dtype
 
 
-def test_every_noun_of_the_house_has_a_sample_or_is_known_by_its_fields():
-    """A noun holds what an archive holds: arrays, numbers, text, tuples, dicts and nouns."""
-    found = set()
-    for room in ("motion", "body", "features", "similarity", "discovery"):
-        package = importlib.import_module(f"leitmotion.{room}")
-        for info in pkgutil.iter_modules(package.__path__):
-            if info.name.startswith("_"):
-                continue
-            module = importlib.import_module(f"leitmotion.{room}.{info.name}")
-            for name, kind in vars(module).items():
-                if (
-                    isinstance(kind, type)
-                    and kind.__module__ == module.__name__
-                    and kind in Noun.__subclasses__()
-                ):
-                    found.add(name)
-    missing = found - {type(noun).__name__ for noun in SAMPLES.values()}
+def nouns_of_the_house():
+    """Every noun that any module of the package makes."""
+    for info in pkgutil.walk_packages(leitmotion.__path__, "leitmotion."):
+        if not info.name.rpartition(".")[2].startswith("_"):
+            importlib.import_module(info.name)
+    waiting, found = [Noun], set()
+    while waiting:
+        kinds = [kind for kind in waiting.pop().__subclasses__() if kind.__module__.startswith("leitmotion.")]
+        found.update(kinds)
+        waiting += kinds
+    return found
+
+
+def test_every_noun_of_the_house_has_a_sample():
+    found = nouns_of_the_house()
+    assert found >= {Motion, Patterns, Session, SimilarityMatrix}
+    missing = sorted(kind.__name__ for kind in found - {type(noun) for noun in SAMPLES.values()})
     assert not missing, f"add a sample of {missing} to this file"
 
 
@@ -155,11 +156,56 @@ def forged(tmp_path, **changes):
             "damaged",
         ),
         ({"leitmotion": 1, "strange": 1}, "damaged: its header holds"),
+        (
+            {"leitmotion": 1, "noun": "leitmotion.motion:Motion", "fields": [1]},
+            "damaged: expected the fields of a Motion",
+        ),
+        (
+            {"leitmotion": 1, "noun": "leitmotion.motion:Motion", "fields": 1},
+            "damaged: expected the fields of a Motion",
+        ),
+        ({"leitmotion": 1, "noun": "leitmotion.motion:Motion"}, "damaged"),
+        (
+            {
+                "leitmotion": 1,
+                "noun": "leitmotion.discovery:Pattern",
+                "fields": dict.fromkeys(
+                    ("id", "occurrences", "stretches", "period_s", "cost", "confidence"), 1
+                )
+                | {"kind": "cyclic"},
+            },
+            "damaged",
+        ),
+        (
+            {"leitmotion": 1, "noun": "leitmotion.motion:Segmentation", "fields": {"starts": {"tuple": 1}}},
+            "damaged",
+        ),
+        (
+            {"leitmotion": 1, "noun": "leitmotion.motion:Segmentation", "fields": {"starts": {"float": []}}},
+            "damaged",
+        ),
     ],
 )
 def test_what_cannot_be_loaded_is_one_sentence(tmp_path, header, match):
     with pytest.raises(FormatError, match=match):
         io.load(forged(tmp_path, **header))
+
+
+def test_a_header_imports_only_public_modules_of_the_house(tmp_path, monkeypatch):
+    """To import ``leitmotion.__main__`` would run the program; a name may not lead out of the package either."""
+    asked = []
+    monkeypatch.setattr(archive, "import_module", lambda name: asked.append(name))
+    for module in (
+        "leitmotion.__main__",
+        "leitmotion.io._kernels",
+        "leitmotion..os",
+        "leitmotion.",
+        "leitmotionx.a",
+        "os",
+    ):
+        with pytest.raises(FormatError, match="does not know"):
+            io.load(forged(tmp_path, leitmotion=1, noun=f"{module}:Motion", fields={}))
+    assert asked == []
 
 
 def test_foreign_and_damaged_files_are_one_sentence(tmp_path, rng):

@@ -3,6 +3,10 @@
 The member ``header`` is a JSON text: the archive's version and the noun, its fields by name. A noun is
 ``{"noun": "room:Name", "fields": {…}}``, an array ``{"array": "a0"}`` and names a member of its own; tuples, lists and
 dicts are tagged likewise, so that what is loaded equals what was saved.
+
+The archive holds the nouns of every room, those of higher floors as well, and therefore knows none of them: it saves
+and loads whatever derives from :class:`~leitmotion.motion.noun.Noun`, and imports the room that a header names when it
+loads from it. Only modules of this package are imported, and of those only public ones.
 """
 
 from __future__ import annotations
@@ -11,6 +15,7 @@ import dataclasses
 import io
 import json
 import math
+import re
 import zipfile
 import zlib
 from importlib import import_module
@@ -22,7 +27,7 @@ import numpy as np
 
 from leitmotion.io.files import read_bytes, write_whole
 from leitmotion.io.reading import Draft, Finding, PointTake, SkeletonTake, Source
-from leitmotion.motion import FormatError, Motion, ParameterError, Trajectories
+from leitmotion.motion import FormatError, LeitmotionError, Motion, ParameterError, Trajectories
 from leitmotion.motion.noun import Noun
 
 VERSION = 1
@@ -30,6 +35,9 @@ VERSION = 1
 
 _HEADER = "header"
 _PACKAGE = "leitmotion"
+_ROOM = re.compile(rf"{_PACKAGE}(\.[a-z]\w*)+")
+"""Modules that a header may name: of this package, none with a leading underscore (``__main__`` would run)."""
+
 _INFLATION = 100  # by how much a member may grow when unpacked, beyond a first 64 MB
 
 
@@ -114,8 +122,10 @@ def from_bytes(content: bytes, name: str) -> Any:
         return _decode(header, arrays)
     except FormatError as error:
         raise FormatError(f"{name}: {error.message}", remedy=error.remedy) from None
-    except (ParameterError, KeyError, TypeError, ValueError, RecursionError) as error:
+    except (LeitmotionError, LookupError, TypeError, ValueError, ArithmeticError, RecursionError) as error:
         raise FormatError(f"{name} is damaged: {error}") from None
+    except AttributeError:  # a part of another type than its noun asks for
+        raise FormatError(f"{name} is damaged: a part of its header is of a wrong type.") from None
 
 
 def read(source: Source) -> Draft:
@@ -176,8 +186,12 @@ def _decode(value: Any, arrays: dict[str, np.ndarray]) -> Any:
     if not isinstance(value, dict):
         return value
     if "noun" in value:
-        kind = _class_at(value["noun"])
-        return kind(**{name: _decode(item, arrays) for name, item in value["fields"].items()})
+        kind, fields = _class_at(value["noun"]), value["fields"]
+        if not isinstance(fields, dict):
+            raise ValueError(
+                f"expected the fields of a {kind.__name__} by name, found a {type(fields).__name__}."
+            )
+        return kind(**{name: _decode(item, arrays) for name, item in fields.items()})
     if "array" in value:
         return arrays[value["array"]]
     if "tuple" in value:
@@ -201,7 +215,7 @@ def _address(kind: type) -> str:
 def _class_at(address: object) -> type:
     module, _, name = str(address).partition(":")
     kind = None
-    if module.split(".")[0] == _PACKAGE:
+    if _ROOM.fullmatch(module):
         try:
             kind = getattr(import_module(module), name, None)
         except ImportError:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import contextlib
 import difflib
 import os
-import tempfile
+import secrets
 from os import PathLike
 from pathlib import Path
 
@@ -94,12 +94,14 @@ def write_whole(path: str | PathLike[str], content: str | bytes) -> Path:
     temporary = ""
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
-        handle, temporary = tempfile.mkstemp(prefix=f".{path.name}.", suffix=".part", dir=path.parent)
+        # not by tempfile, whose files are for their owner alone: this one gets the mode of any file that is made
+        beside = path.parent / f".{path.name}.{secrets.token_hex(8)}.part"
+        handle = os.open(beside, os.O_WRONLY | os.O_CREAT | os.O_EXCL | getattr(os, "O_BINARY", 0), 0o666)
+        temporary = str(beside)
         with os.fdopen(handle, "wb") as file:
             file.write(data)
             file.flush()
             os.fsync(file.fileno())
-        os.chmod(temporary, 0o666 & ~_umask())
         os.replace(temporary, path)
     except OSError as error:
         _discard(temporary)
@@ -117,9 +119,3 @@ def _discard(temporary: str) -> None:
     if temporary:
         with contextlib.suppress(OSError):
             os.unlink(temporary)
-
-
-def _umask() -> int:
-    mask = os.umask(0)
-    os.umask(mask)
-    return mask
