@@ -1,7 +1,7 @@
 """Reading: AMC, BVH, C3D and the archive, beside the public readers that are installed.
 
-Recordings come from the data folder (``LEITMOTION_DATA``, else ``../shared/data``): CMU trial 01_01 as AMC and as BVH,
-and a trial of pyCGM as C3D. Without them there is nothing to measure.
+Recordings come from the folder that ``LEITMOTION_DATA`` names: CMU trial 01_01 as AMC and as BVH, and a trial of pyCGM
+as C3D. Without them there is nothing to measure.
 """
 
 from __future__ import annotations
@@ -20,9 +20,6 @@ from leitmotion.motion import forward_kinematics
 
 Row = tuple[str, str, str]
 RUNS = 7
-DATA = Path(
-    os.environ.get("LEITMOTION_DATA") or Path(__file__).resolve().parents[1].parent / "shared" / "data"
-)
 AMC, BVH, C3D = "cmu_amc/01_01.amc", "cmu_bvh/01_01.bvh", "pycgm/Movement_trial.c3d"
 
 
@@ -34,9 +31,12 @@ def main() -> None:
 
 def rows() -> list[Row]:
     """Measure; (what, figure, protocol) for every line."""
-    if not DATA.is_dir():
-        return [("Reading", "not measured", f"no folder of recordings at {DATA.name}: set LEITMOTION_DATA")]
-    amc, bvh, c3d = DATA / AMC, DATA / BVH, DATA / C3D
+    named = os.environ.get("LEITMOTION_DATA", "")
+    paths = [Path(named) / name for name in (AMC, BVH, C3D)]
+    if not named or not all(path.is_file() for path in paths):
+        why = f"needs {AMC}, {BVH} and {C3D} in the folder of recordings that LEITMOTION_DATA names"
+        return [("Reading", "not measured", why)]
+    amc, bvh, c3d = paths
     frames = len(io.read(amc))
     protocol = f"CPU time, best of {RUNS}, file in the system's cache, kernels compiled before"
     to_positions = best(lambda: forward_kinematics(io.read(amc)))
