@@ -100,6 +100,64 @@ def test_a_recording_cannot_say_where_its_page_goes(
     assert [path for path in tmp_path.rglob("*") if path.is_file()] == [inside / page]
 
 
+def test_a_page_replaces_neither_recordings_nor_somebody_elses_pages(
+    session: lm.datasets.Session, tmp_path: Path
+) -> None:
+    piece, none = session.motion[:30], lm.Patterns((), (), rate=30.0, parameters={})
+    recording, foreign = tmp_path / "victim.bvh", tmp_path / "thesis.html"
+    lm.write(piece, recording)
+    before = recording.read_bytes()
+    foreign.write_text("<!doctype html><title>My thesis</title>", encoding="utf-8")
+    with pytest.raises(lm.ParameterError, match=r"ends in \.html, got 'victim\.bvh'"):
+        lm.report(piece, recording, patterns=none)
+    with pytest.raises(lm.ParameterError, match="Leitmotion did not write it"):
+        lm.report(piece, foreign, patterns=none)
+    assert recording.read_bytes() == before
+    assert "My thesis" in foreign.read_text(encoding="utf-8")
+    for _ in range(2):
+        lm.report(piece, foreign, patterns=none, force=True)
+        lm.report(piece, foreign, patterns=none)
+
+
+def test_a_report_is_of_its_own_patterns_and_labels(session: lm.datasets.Session, tmp_path: Path) -> None:
+    piece, page = session.motion[:120], tmp_path / "page.html"
+    whole = lm.find_patterns(session.motion)
+    with pytest.raises(lm.ParameterError, match=r"The patterns reach to .* the recording lasts 4\.00 s"):
+        lm.report(piece, page, patterns=whole)
+    with pytest.raises(lm.ParameterError, match="at 60 Hz, this one is at 30 Hz"):
+        lm.report(piece, page, patterns=lm.Patterns((), (), rate=60.0, parameters={}))
+    with pytest.raises(lm.ParameterError, match=r"The labels reach to 900\.00 s"):
+        lm.report(piece, page, labels=lm.Segmentation([60], [27000], ("late",), rate=30.0))
+    with pytest.raises(lm.ParameterError, match="must be a Segmentation, got str"):
+        lm.report(piece, page, labels="labels.csv")  # type: ignore[arg-type]
+    with pytest.raises(lm.ParameterError, match="'stillness' steers a search"):
+        lm.report(piece, page, patterns=lm.Patterns((), (), rate=30.0, parameters={}), stillness=True)
+    assert not page.exists()
+
+
+def test_a_report_takes_the_options_of_a_search(session: lm.datasets.Session, tmp_path: Path) -> None:
+    page = lm.report(session.motion[:120], tmp_path / "page.html", min_duration_s=1.25, stillness=True)
+    assert "at least 1.25 s" in page.read_text(encoding="utf-8")
+    with pytest.raises(lm.ParameterError, match="no option 'min_length'"):
+        lm.report(session.motion[:120], tmp_path / "page.html", min_length=3)
+
+
+def test_joints_are_named_as_on_the_command_line(session: lm.datasets.Session) -> None:
+    piece = session.motion[:300]
+    assert lm.find_patterns(piece, joints="head, left_*") == lm.find_patterns(
+        piece, joints=["head", "left_*"]
+    )
+    for wrong, said in (
+        ([], "No joint is named"),
+        (3, "given by their names"),
+        ([3], "given by their names"),
+    ):
+        with pytest.raises(lm.ParameterError, match=said):
+            lm.find_patterns(piece, joints=wrong)  # type: ignore[arg-type]
+    with pytest.raises(lm.ParameterError, match=r"Did you mean head\?"):
+        lm.find_patterns(piece, joints="hed")
+
+
 def test_a_body_is_as_good_as_its_recording(session: lm.datasets.Session) -> None:
     piece = session.motion[:600]
     assert lm.find_patterns(lm.embody(piece)) == lm.find_patterns(piece)
@@ -237,6 +295,18 @@ def test_who_faces_ahead_has_a_facing_and_who_has_no_roles_has_none() -> None:
         assert body.facing_told is (facing is not None)
         assert ("yaw" in lm.features.posture(body).invariant_to) is body.facing_told
         assert ("yaw" in lm.features.velocity(body).invariant_to) is body.facing_told
+
+
+def test_info_describes_points_that_tell_no_size() -> None:
+    for positions in (np.full((60, 2, 3), np.nan), np.zeros((60, 2, 3))):
+        told = lm.info(lm.Trajectories(("a", "b"), positions, rate=30.0))
+        assert (told.names, told.frames, told.findings["size"].value) == (("a", "b"), 60, None)
+        assert "size of the body cannot be told" in told.problems[0].message
+
+
+def test_info_of_something_else_is_explained() -> None:
+    with pytest.raises(lm.ParameterError, match="A file or a recording was expected, got int"):
+        lm.info(2)  # type: ignore[arg-type]
 
 
 def test_info_says_when_it_is_too_short() -> None:

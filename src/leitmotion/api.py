@@ -6,6 +6,7 @@ A recording goes one way: :func:`read` it, ask something of it (:func:`info`, :f
 
 from __future__ import annotations
 
+import difflib
 import fnmatch
 import math
 import re
@@ -91,7 +92,8 @@ def find_patterns(
     method : {"recurrence", "tang2008"}
         How to search: by local alignment, without a parameter to set, or as paper P describes it.
     joints : str or sequence of str, optional
-        The roles to compare, with wildcards: ``"left_*"``. By default those that every skeleton has.
+        The roles to compare, with wildcards, in one text parted by commas: ``"left_*, head"``. By default those that
+        every skeleton has.
     exclude : str or sequence of str, optional
         Roles to leave out, with wildcards.
     body_map : BodyMap or mapping of str, optional
@@ -135,6 +137,8 @@ def report(
     joints: str | Sequence[str] | None = None,
     exclude: str | Sequence[str] | None = None,
     body_map: Roles | None = None,
+    force: bool = False,
+    **options: Any,
 ) -> Path:
     """Write the page that shows what recurs in a recording: one HTML file that needs nothing else.
 
@@ -143,18 +147,22 @@ def report(
     recording : Motion, Trajectories or Body
         One person.
     path : path, optional
-        Where to write it; by default the recording's name with the ending ``.html``, always in the current folder:
-        of a name that holds a path only the last part counts.
+        Where to write it, ending in ``.html``; by default the recording's name with that ending, always in the
+        current folder: of a name that holds a path only the last part counts.
     labels : Segmentation, optional
         Labels from elsewhere, shown in a lane of their own.
     labels_from : str
         Where they are from, as the lane's title.
     patterns : Patterns, optional
-        What recurs; by default what :func:`find_patterns` finds.
+        What recurs in this recording; by default what :func:`find_patterns` finds.
     source : mapping, optional
         What the page tells about where the recording comes from: "path", "sha256" and the like.
     joints, exclude, body_map
         As for :func:`find_patterns`.
+    force : bool
+        Whether an ``.html`` file that Leitmotion did not write may be replaced.
+    **options
+        Of the search, as for :func:`find_patterns`: ``method="tang2008"``, ``stillness=True``.
 
     Returns
     -------
@@ -164,7 +172,8 @@ def report(
     Raises
     ------
     ParameterError
-        When a role is unknown.
+        When a role or an option is unknown, the path does not end in ``.html`` or holds somebody else's page, or the
+        patterns or labels are of another recording.
     DataError
         When nothing in the recording tells how large the body is.
 
@@ -179,8 +188,13 @@ def report(
     from leitmotion.view import report_page
 
     body = _body(recording, body_map)
+    target = Path(path) if path is not None else Path(f"{_file_name(body.name)}.html")
+    _check_page(target, force=force)
+    _check_fits(body, patterns, labels)
+    if patterns is not None and options:
+        raise ParameterError(f"{min(options)!r} steers a search, but patterns= says what was found.")
     features = _postures(body, joints, exclude)
-    found = search(features) if patterns is None else patterns
+    found = search(features, **options) if patterns is None else patterns
     facts = {"name": body.name, "frames": len(body), "rate": body.rate, "seconds": len(body) / body.rate}
     page = report_page(
         body,
@@ -190,9 +204,41 @@ def report(
         labels=labels,
         labels_from=labels_from,
     )
-    target = Path(path) if path is not None else Path(f"{_file_name(body.name)}.html")
     write_whole(target, page)
     return target
+
+
+def _check_page(target: Path, *, force: bool) -> None:
+    from leitmotion.view.report import is_ours
+
+    if target.suffix.lower() != ".html":
+        raise ParameterError(f"A page ends in .html, got {target.name!r}.")
+    if target.is_file() and not force and not is_ours(target):
+        raise ParameterError(
+            f"{target} exists, and Leitmotion did not write it.", remedy="Replace it with force=True."
+        )
+
+
+def _check_fits(body: Body, patterns: Patterns | None, labels: Segmentation | None) -> None:
+    """Refuse patterns or labels that cannot be of this recording."""
+    if labels is not None and not isinstance(labels, Segmentation):
+        raise ParameterError(
+            f"Labels must be a Segmentation, got {type(labels).__name__}.",
+            remedy='Read them first: leitmotion.read_annotations("labels.csv", rate=120).',
+        )
+    if patterns is not None and not math.isclose(patterns.rate, body.rate, rel_tol=1e-6):
+        raise ParameterError(
+            f"The patterns are of a recording at {patterns.rate:g} Hz, this one is at {body.rate:g} Hz."
+        )
+    spans = {"patterns": [pattern.stretches for pattern in patterns.patterns] if patterns else []}
+    spans["labels"] = [labels] if labels else []
+    for what, held in spans.items():
+        last = max((one.stops.max() / one.rate for one in held if len(one)), default=0.0)
+        if last > (len(body) + 1) / body.rate:
+            raise ParameterError(
+                f"The {what} reach to {last:.2f} s, but the recording lasts {len(body) / body.rate:.2f} s.",
+                remedy=f"Give the {what} of this recording.",
+            )
 
 
 def _file_name(name: str) -> str:
@@ -219,9 +265,9 @@ def _body(recording: Recording, body_map: Roles | None) -> Body:
 def _postures(
     body: Body, joints: str | Sequence[str] | None, exclude: str | Sequence[str] | None
 ) -> FeatureSequence:
-    if not joints and not exclude:
+    if joints is None and not exclude:
         return posture(body)
-    wanted = _matching(joints, body.roles) if joints else choose_roles(body, None)
+    wanted = choose_roles(body, None) if joints is None else _matching(joints, body.roles)
     unwanted = _matching(exclude, (*body.roles, *ROLES)) if exclude else ()
     roles = tuple(role for role in wanted if role not in unwanted)
     if not roles:
@@ -231,12 +277,23 @@ def _postures(
 
 def _matching(names: str | Sequence[str], known: Sequence[str]) -> tuple[str, ...]:
     """Those of the known roles that the names mean, wildcards allowed, in the order in which they are known."""
-    given = (names,) if isinstance(names, str) else tuple(names)
+    if not isinstance(names, str | Sequence) or not all(isinstance(name, str) for name in names):
+        raise ParameterError(
+            f"Joints are given by their names, got {names!r}.", remedy='Give ["head", "left_*"].'
+        )
+    listed = (names,) if isinstance(names, str) else names
+    given = [name.strip() for some in listed for name in some.split(",") if name.strip()]
+    if not given:
+        raise ParameterError(
+            "No joint is named.", remedy="Leave joints out to compare those that every body has."
+        )
     for name in given:
         if not any(fnmatch.fnmatchcase(role, name) for role in known):
+            near = difflib.get_close_matches(name, known, n=1)
+            hint = f"Did you mean {near[0]}? " if near else ""
             raise ParameterError(
                 f"The body has no joint {name!r} to compare.",
-                remedy=f"It has {', '.join(dict.fromkeys(known))}.",
+                remedy=f"{hint}It has {', '.join(dict.fromkeys(known))}.",
             )
     return tuple(role for role in known if any(fnmatch.fnmatchcase(role, name) for name in given))
 

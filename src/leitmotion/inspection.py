@@ -17,7 +17,7 @@ import numpy as np
 
 from leitmotion.body import ANALYSIS_ROLES, Body, BodyMap, embody, find_roles, map_from
 from leitmotion.io import Finding, Reading, open_recording
-from leitmotion.motion import Motion, Trajectories
+from leitmotion.motion import DataError, Motion, ParameterError, Trajectories
 
 Recording = Motion | Trajectories
 
@@ -132,6 +132,8 @@ def info(
         When the file is not what its format says.
     DataError
         When the person or the window is not in the file.
+    ParameterError
+        When the source is neither a file nor a recording, or an option is none of those that exist.
 
     Examples
     --------
@@ -142,6 +144,8 @@ def info(
     """
     if isinstance(source, Motion | Trajectories):
         return _describe(source, Reading((source,), {}, (), Path(source.name)), body_map)
+    if not isinstance(source, str | Path):
+        raise ParameterError(f"A file or a recording was expected, got {type(source).__name__}.")
     reading = open_recording(source, skeleton=skeleton, unit=unit, up=up, rate=rate, person=person)
     return _describe(reading.recordings[0], reading, body_map)
 
@@ -153,7 +157,7 @@ def _describe(
         body_map = find_roles(recording)
     elif not isinstance(body_map, BodyMap):
         body_map = map_from(body_map, recording)
-    body = embody(recording, body_map)
+    body, unsized = _embodied(recording, body_map)
     points = recording if isinstance(recording, Trajectories) else None
     not_from_file = "the recording was not read from a file here"
     findings = {
@@ -162,9 +166,12 @@ def _describe(
         "rate": Finding(recording.rate, "given", not_from_file),
         **reading.findings,
         "facing": _facing(body),
-        "size": Finding(body.size, "guessed", _HOW_SIZED[bool(body_map.roles)]),
+        "size": Finding(
+            None if unsized else body.size, "guessed", unsized or _HOW_SIZED[bool(body_map.roles)]
+        ),
     }
-    checks = (check(recording, body, body_map) for check in _CHECKS)
+    checks = [Problem("size", unsized) if unsized else None]
+    checks += [check(recording, body, body_map) for check in _CHECKS]
     alone = len(reading.recordings) == 1
     return Info(
         name=recording.name,
@@ -183,6 +190,20 @@ def _describe(
         window=reading.window,
         warnings=reading.warnings,
     )
+
+
+def _embodied(recording: Recording, body_map: BodyMap) -> tuple[Body, str]:
+    """Make a body; of the bare points, with the reason, where its size cannot be told."""
+    try:
+        return embody(recording, body_map), ""
+    except DataError as error:
+        if not isinstance(recording, Trajectories) or not len(recording):
+            raise
+        facing, unit = np.zeros(len(recording)), recording.unit
+        points = Body(
+            recording.names, recording.positions, facing, recording.rate, 1.0, unit, facing_told=False
+        )
+        return points, error.message
 
 
 def _facing(body: Body) -> Finding:
@@ -258,7 +279,7 @@ def _upright(recording: Recording, body: Body, roles: BodyMap) -> Problem | None
     return Problem(
         "up",
         f"The head is not above the feet in {low:.0%} of the frames: the person lies down, or another axis is up.",
-        "If the person stands, say which axis is up: --up z.",
+        "If the person stands, say with --up which axis is up.",
     )
 
 

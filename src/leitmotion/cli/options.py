@@ -66,7 +66,7 @@ class Options:
         """The keyword arguments of the search, those that were given."""
         if self.stillness and self.method != "recurrence":
             raise click.UsageError("--stillness belongs to --method recurrence.")
-        given: dict[str, Any] = {"method": self.method, "joints": self.joints, "exclude": self.exclude}
+        given: dict[str, Any] = {"method": self.method, "joints": self.joints or None, "exclude": self.exclude}
         if self.min_duration is not None:
             given["min_duration_s"] = self.min_duration
         if self.stillness:

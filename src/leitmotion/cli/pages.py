@@ -14,9 +14,6 @@ if TYPE_CHECKING:
     from leitmotion.api import Patterns, Segmentation
     from leitmotion.cli.recordings import Opened
 
-OURS = b'name="generator" content="Leitmotion'
-"""Stands near the start of every page that Leitmotion writes."""
-
 
 def write_page(
     page: Path,
@@ -57,15 +54,17 @@ def write_page(
         labels_from=labels_from,
         patterns=found,
         source=opened.source[0] if opened.source else None,
-        joints=options.joints,
+        joints=options.joints or None,
         exclude=options.exclude,
+        force=True,  # whether the page may be replaced was asked before any work
     )
 
 
 def is_ours(path: Path) -> bool:
     """Tell whether Leitmotion wrote a page."""
-    with path.open("rb") as file:
-        return OURS in file.read(4096)
+    from leitmotion.view.report import is_ours as written_by_us
+
+    return written_by_us(path)
 
 
 def open_page(page: Path) -> bool:

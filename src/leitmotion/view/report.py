@@ -15,6 +15,7 @@ import html
 import json
 import re
 from importlib.resources import files
+from pathlib import Path
 from typing import Any
 
 from leitmotion.body import Body
@@ -29,6 +30,9 @@ SCRIPTS = (
     "panel", "table", "sheets", "save", "play", "keys", "main",
 )  # fmt: skip
 """The parts of the script, in the order in which they are joined: each uses only those before it when it loads."""
+
+GENERATOR = b'name="generator" content="Leitmotion'
+"""Stands near the start of every page."""
 
 
 def report_page(
@@ -82,6 +86,23 @@ def report_page(
         "script": script,
     }
     return re.sub(r"\{\{(\w+)\}\}", lambda slot: replacements[slot[1]], _part("page.html"))
+
+
+def is_ours(path: Path) -> bool:
+    """Tell whether a file is a page that Leitmotion wrote.
+
+    Parameters
+    ----------
+    path : Path
+        A file.
+
+    Returns
+    -------
+    bool
+        Whether it says so near its start.
+    """
+    with path.open("rb") as file:
+        return GENERATOR in file.read(4096)
 
 
 def _script() -> str:
