@@ -119,7 +119,7 @@ def test_what_is_no_recording_in_a_folder_is_left_out_with_a_word(
     told = run("patterns", "mixed", "--json")
     assert told.exit_code == 0
     assert len(documents(told.stdout)) == 1
-    assert "Left out, as no recording: labels.csv" in told.stderr
+    assert f"{Path('mixed', 'labels.csv')}: Left out, as no recording: " in told.stderr
 
 
 def test_standard_input_is_an_input(run: Run, made: Path, schema: dict[str, Any]) -> None:

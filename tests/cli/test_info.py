@@ -61,9 +61,13 @@ def test_a_folder_is_one_table(run: Run, made: Path) -> None:
     told = run("info", made, "-o", "all.csv")
     assert told.exit_code == 1
     rows = list(csv.DictReader(io.StringIO(Path("all.csv").read_text(encoding="utf-8"))))
-    assert [Path(row["path"]).name for row in rows] == ["jacks.bvh", "once.bvh"]
-    assert {row["kind"] for row in rows} == {"skeleton"}
-    assert {float(row["rate"]) for row in rows} == {30.0}
+    assert [Path(row["path"]).name for row in rows] == ["bad.bvh", "empty.bvh", "jacks.bvh", "once.bvh"]
+    assert [bool(row["error"]) for row in rows] == [True, True, False, False]
+    assert [row["kind"] for row in rows] == ["", "", "skeleton", "skeleton"]
+    assert [float(row["rate"]) for row in rows[2:]] == [30.0, 30.0]
+    assert [row["handedness"] for row in rows[2:]] == [
+        result(run, row["path"]).get("handedness", {}).get("value", "") for row in rows[2:]
+    ]
 
 
 @pytest.mark.data

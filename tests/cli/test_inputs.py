@@ -9,6 +9,7 @@ from types import SimpleNamespace
 
 import pytest
 
+from cli.conftest import Run
 from leitmotion.cli.inputs import Input, expand
 
 ENDINGS = (".bvh", ".amc", ".csv")
@@ -97,3 +98,14 @@ def test_standard_input_is_a_copy_that_goes_away(monkeypatch: pytest.MonkeyPatch
         assert inputs[0].name == "stdin"
         copy = inputs[0].path
     assert not copy.exists()
+
+
+@pytest.mark.parametrize(
+    "typed", [["info", ""], ["patterns", ""], ["report", "jacks.bvh", ""], ["demo", "--data", ""]]
+)
+def test_an_empty_name_is_wrong_usage_and_not_the_current_folder(run: Run, typed: list[str]) -> None:
+    Path("dance.bvh").touch()
+    told = run(*typed)
+    assert told.exit_code == 2
+    assert "No input named" in told.stderr
+    assert told.stdout == ""

@@ -5,8 +5,10 @@ import io
 import json
 from pathlib import Path
 
+import numpy as np
 import pytest
 
+import leitmotion as lm
 from cli.conftest import Run
 
 
@@ -31,12 +33,24 @@ def test_nothing_repeats_is_an_answer(run: Run, made: Path) -> None:
     assert told.stdout.startswith("Nothing repeats here.\n")
 
 
+def test_points_without_roles_say_that_they_were_compared_as_they_stand(run: Run) -> None:
+    swing = np.cumsum(np.random.default_rng(4).normal(size=(90, 8, 3)) / 100, axis=0)
+    lm.write(lm.Trajectories(tuple(f"m{k}" for k in range(8)), swing, rate=30.0), "unnamed.npz")
+    told = run("patterns", "unnamed.npz")
+    assert "compared as they stand" in told.stderr
+    assert "--map FILE" in told.stderr
+    for verb in ("patterns", "report"):
+        (warning,) = json.loads(run(verb, "unnamed.npz", "--json").stdout)["warnings"]
+        assert "compared as they stand" in warning
+
+
 def test_several_inputs_are_told_apart_and_the_bad_one_is_a_sentence(run: Run, made: Path) -> None:
     told = run("patterns", made / "jacks.bvh", made / "missing.bvh", made / "once.bvh")
     assert told.exit_code == 1
     assert f"{made / 'jacks.bvh'}\nOne movement recurs" in told.stdout
     assert f"\n\n{made / 'once.bvh'}\nNothing repeats here." in told.stdout
-    assert told.stderr == f"Error: There is no file {made / 'missing.bvh'}.\n"
+    missing = made / "missing.bvh"
+    assert told.stderr == f"{missing}: Error: There is no file {missing}.\n"
 
 
 def test_json_output_file_is_what_json_prints(run: Run, made: Path) -> None:
@@ -69,8 +83,6 @@ def test_a_table_of_nothing_has_its_header(run: Run, made: Path) -> None:
 
 
 def test_archive_holds_the_patterns(run: Run, made: Path) -> None:
-    import leitmotion as lm
-
     run("patterns", made / "jacks.bvh", "-o", "found.npz")
     assert lm.load("found.npz") == lm.find_patterns(lm.read(made / "jacks.bvh"))
 
@@ -128,6 +140,19 @@ def test_an_unknown_joint_is_told_with_those_there_are(run: Run, made: Path) -> 
     assert "left_knee" in told.stderr
 
 
+@pytest.mark.parametrize("typed", ["hed", "Head"])
+def test_a_joint_nearly_right_is_told_which_is_meant(run: Run, made: Path, typed: str) -> None:
+    assert "Did you mean head? It has" in run("patterns", made / "jacks.bvh", "--joints", typed).stderr
+
+
+@pytest.mark.parametrize("option", ["--joints", "--exclude"])
+@pytest.mark.parametrize("typed", ["", ",", " , "])
+def test_a_list_without_a_name_is_wrong_usage(run: Run, made: Path, option: str, typed: str) -> None:
+    told = run("patterns", made / "jacks.bvh", "--joints", "head", option, typed)
+    assert told.exit_code == 2
+    assert f"Invalid value for '{option}': {typed!r} names no role." in told.stderr
+
+
 def test_a_map_file_names_the_roles(run: Run, made: Path) -> None:
     Path("map.json").write_text("[]", encoding="utf-8")
     told = run("patterns", made / "jacks.bvh", "--map", "map.json")
@@ -148,6 +173,13 @@ def test_stillness_and_shortest_length_are_options(run: Run, made: Path) -> None
         ["--method", "tang2008", "--stillness"],
         ["--min-duration", "0"],
         ["--rate", "-30"],
+        ["--rate", "nan"],
+        ["--rate", "inf"],
+        ["--min-duration", "nan"],
+        ["--unit", "foo"],
+        ["--unit", "-1"],
+        ["--up", "q"],
+        ["--skeleton", "nowhere.asf"],
         ["--method", "magic"],
     ],
 )
@@ -155,6 +187,7 @@ def test_options_that_cannot_be_are_wrong_usage(run: Run, made: Path, options: l
     told = run("patterns", made / "jacks.bvh", *options)
     assert told.exit_code == 2
     assert told.stdout == ""
+    assert "--" in told.stderr.partition("Error: ")[2]
 
 
 def test_reading_options_stand_in_the_parameters(run: Run, made: Path) -> None:
@@ -162,3 +195,67 @@ def test_reading_options_stand_in_the_parameters(run: Run, made: Path) -> None:
     document = json.loads(told.stdout)
     assert document["parameters"]["reading"] == {"unit": "m", "rate": 60.0}
     assert document["source"][0]["rate"] == 60.0
+
+
+def test_an_axis_may_bear_either_sign(run: Run, made: Path) -> None:
+    for typed, up in (("+y", "y"), ("Y", "y"), ("-z", "-z")):
+        document = json.loads(run("patterns", made / "jacks.bvh", "--json", "--up", typed).stdout)
+        assert document["parameters"]["reading"] == {"up": up}
+
+
+@pytest.mark.parametrize("verb", ["patterns", "report"])
+@pytest.mark.parametrize(
+    ("options", "note"),
+    [
+        (["--unit", "mm"], "people measure 0.5 to 2.5 m"),
+        (["--up", "-y"], "The head is not above the feet in 100% of the frames"),
+    ],
+)
+def test_a_unit_or_a_vertical_that_makes_no_person_is_noted(
+    run: Run, made: Path, verb: str, options: list[str], note: str
+) -> None:
+    (line,) = [line for line in run(verb, made / "jacks.bvh", *options).stderr.splitlines() if note in line]
+    assert line.startswith("Note: ")
+    (document,) = [json.loads(run(verb, made / "jacks.bvh", *options, "--json").stdout)]
+    assert any(note in warning for warning in document["warnings"])
+
+
+@pytest.mark.parametrize("verb", ["info", "patterns", "report"])
+def test_a_skeleton_for_a_file_that_has_its_own_is_noted(run: Run, made: Path, verb: str) -> None:
+    Path("other.asf").touch()
+    told = run(verb, made / "jacks.bvh", "--skeleton", "other.asf")
+    assert told.exit_code == 0
+    assert "Note: --skeleton was not used" in told.stderr
+
+
+def test_each_line_about_one_of_several_begins_with_its_path(run: Run, made: Path) -> None:
+    Path("in").mkdir()
+    for name in ("bad.bvh", "jacks.bvh"):
+        Path("in", name).write_bytes((made / name).read_bytes())
+    Path("in/labels.csv").write_text("start_s,stop_s,label\n0.5,1.0,jump\n", encoding="utf-8")
+    told = run("patterns", "in", "--unit", "mm")
+    assert [line.partition(": ")[0] for line in told.stderr.splitlines()] == [
+        str(Path("in", name)) for name in ("bad.bvh", "jacks.bvh", "labels.csv")
+    ]
+    error, note, left_out = (line.split(": ", 1)[1] for line in told.stderr.splitlines())
+    assert error.startswith("Error: line 4: expected")
+    assert note.startswith("Note: The body measures")
+    assert left_out.startswith("Left out, as no recording: ")
+
+
+@pytest.mark.parametrize("verb", ["info", "patterns", "report"])
+@pytest.mark.parametrize("place", ["taken/found", "taken/new/found", "/proc/found"])
+def test_a_place_that_takes_no_file_is_wrong_usage_before_any_work(run: Run, verb: str, place: str) -> None:
+    if place.startswith("/proc") and not Path("/proc/self").exists():
+        pytest.skip("there is no /proc here")
+    Path("taken").touch()
+    told = run(verb, "missing.bvh", "-o", f"{place}.{'html' if verb == 'report' else 'json'}")
+    assert told.exit_code == 2
+    why = "takes no file" if place.startswith("/proc") else "taken is a file, not a folder"
+    assert "cannot be written: " in told.stderr
+    assert why in " ".join(told.stderr.split())
+
+
+def test_looking_whether_a_place_takes_a_file_leaves_nothing_there(run: Run) -> None:
+    assert run("patterns", "missing.bvh", "-o", "deep/found.npz").exit_code == 1
+    assert not list(Path().iterdir())

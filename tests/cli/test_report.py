@@ -55,6 +55,27 @@ def test_our_own_page_is_replaced_and_somebody_elses_is_not(run: Run, made: Path
     assert is_page(Path("jacks.html"))
 
 
+@pytest.mark.parametrize("name", ["all.html", "deep/all.html", "all.png"])
+def test_a_folder_for_pages_of_several_is_not_called_as_a_file(run: Run, made: Path, name: str) -> None:
+    told = run("report", made / "jacks.bvh", made / "once.bvh", "-o", name)
+    assert told.exit_code == 2
+    assert f"Name a folder: -o {Path(name).with_suffix('')}." in told.stderr
+    assert not list(Path().iterdir())
+
+
+def test_a_folder_that_is_there_takes_pages_whatever_it_is_called(run: Run, made: Path) -> None:
+    Path("pages.html").mkdir()
+    assert run("report", made / "jacks.bvh", made / "once.bvh", "-o", "pages.html").exit_code == 0
+    assert sorted(path.name for path in Path("pages.html").iterdir()) == ["jacks.html", "once.html"]
+
+
+def test_a_folder_in_the_page_s_place_is_wrong_usage(run: Run, made: Path) -> None:
+    Path("jacks.html").mkdir()
+    told = run("report", made / "jacks.bvh")
+    assert told.exit_code == 2
+    assert "jacks.html is a folder" in told.stderr
+
+
 @pytest.mark.parametrize(("name", "count"), [("page.txt", 1), ("taken", 1), ("taken.html", 2)])
 def test_o_is_a_page_or_a_folder_and_nothing_else(run: Run, made: Path, name: str, count: int) -> None:
     for taken in ("taken", "taken.html"):
@@ -98,6 +119,17 @@ def test_labels_stand_in_a_lane_of_the_window(run: Run, made: Path) -> None:
     assert "hop along" in page
     assert "labels.csv" in page
     assert '"before"' not in page
+
+
+@pytest.mark.parametrize(("rows", "lost"), [("5,900,a\n", "1 of 1"), ("1,2,a\n5,9,b\n90,91,c\n", "1 of 3")])
+def test_labels_outside_what_was_read_are_counted(run: Run, made: Path, rows: str, lost: str) -> None:
+    Path("labels.csv").write_text(f"start_s,stop_s,label\n{rows}", encoding="utf-8")
+    window = f"{made / 'jacks.bvh'}[0s:{4 if lost == '1 of 1' else 6}s]"
+    told = run("report", window, "--labels", "labels.csv")
+    assert told.exit_code == 0
+    assert f"Note: Not shown: {lost} labels in labels.csv, outside the " in told.stderr
+    document = json.loads(run("report", window, "--labels", "labels.csv", "--json").stdout)
+    assert any(f"Not shown: {lost} labels" in warning for warning in document["warnings"])
 
 
 def test_labels_belong_to_one_recording(run: Run, made: Path) -> None:

@@ -96,7 +96,8 @@ def answer_each(
             try:
                 answer = _look(given, look, progress)
             except _NoRecordingError as left_out:
-                progress.note(f"Left out, as no recording: {left_out}")
+                alone = len(inputs) == 1
+                progress.note(_line(given, "Left out, as no recording", str(left_out), alone=alone))
                 continue
             documents.append(
                 _print(verb, given, answer, options, first=not documents, alone=len(inputs) == 1)
@@ -144,8 +145,7 @@ def _print(
     if options.as_json:
         click.echo(as_line(document))
     elif isinstance(answer, Failure):
-        named = alone or given.path.name in answer.message
-        click.echo(answer.sentence if named else f"{given.shown}: {answer.sentence}", err=True)
+        click.echo(_line(given, "Error", answer.text, alone=alone), err=True)
     else:
         _show(given, answer, options, first=first, alone=alone)
     return document
@@ -160,7 +160,15 @@ def _show(given: Input, answer: Answer, options: Options, *, first: bool, alone:
     answer.show(console)
     if not options.quiet:
         for warning in answer.warnings:
-            click.echo(f"Note: {warning}", err=True)
+            click.echo(_line(given, "Note", warning, alone=alone), err=True)
+
+
+def _line(given: Input, kind: str, text: str, *, alone: bool) -> str:
+    """Say something on standard error about an input; beside others the line begins with its name."""
+    if alone:
+        return f"{kind}: {text}"
+    name = given.path.name
+    return f"{given.shown}: {kind}: {text.removeprefix(f'{name}, ').removeprefix(f'{name}: ')}"
 
 
 def finish(outcome: Outcome) -> Any:

@@ -11,7 +11,7 @@ from leitmotion.cli.batch import Answer, answer_each, finish
 from leitmotion.cli.documents import patterns_result
 from leitmotion.cli.finding import search, show_patterns
 from leitmotion.cli.inputs import Input
-from leitmotion.cli.options import Options, common, examples, force, output
+from leitmotion.cli.options import Options, common, examples, force, output, some
 from leitmotion.cli.outputs import check_output
 from leitmotion.cli.pages import open_page, write_page
 from leitmotion.cli.printing import answer_console, print_table
@@ -28,7 +28,9 @@ PAGE = Path("leitmotion-demo.html")
 
 
 @click.command(epilog=examples("leitmotion demo", "leitmotion demo --data dance.bvh"))
-@click.option("--data", metavar="FILE", help="Look at this recording instead of the practice session.")
+@click.option(
+    "--data", metavar="FILE", callback=some, help="Look at this recording instead of the practice session."
+)
 @click.option("--no-open", is_flag=True, help="Write the page, but do not open it in the browser.")
 @output(f"The page to write; {PAGE} in the current folder by default.")
 @force

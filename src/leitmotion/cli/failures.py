@@ -26,9 +26,14 @@ class Failure:
     error: BaseException | None = None
 
     @property
+    def text(self) -> str:
+        """The message and the remedy."""
+        return f"{self.message} {self.remedy}".strip()
+
+    @property
     def sentence(self) -> str:
         """The message and the remedy as one line for a person."""
-        return f"Error: {self.message} {self.remedy}".strip()
+        return f"Error: {self.text}"
 
 
 def explain(error: BaseException) -> Failure:

@@ -11,10 +11,11 @@ import click
 from leitmotion.cli.batch import Answer, answer_each, finish
 from leitmotion.cli.documents import Document, info_result, reading_parameters, source_entry
 from leitmotion.cli.inputs import Input
-from leitmotion.cli.options import Options, as_json, common, examples, output
+from leitmotion.cli.options import Options, as_json, common, examples, output, takes_inputs
 from leitmotion.cli.outputs import check_output, write_documents
 from leitmotion.cli.printing import print_table
 from leitmotion.cli.progress import Progress
+from leitmotion.cli.recordings import unused_skeleton
 
 if TYPE_CHECKING:
     from rich.console import Console
@@ -24,9 +25,9 @@ if TYPE_CHECKING:
 TABLES = (".json", ".csv")
 COLUMNS = (
     "path", "sha256", "frames", "rate", "seconds", "kind", "count", "people", "roles",
-    "unit", "up", "facing", "size", "problems",
+    "unit", "up", "handedness", "facing", "size", "problems", "error",
 )  # fmt: skip
-"""Columns of the table, one row per input."""
+"""Columns of the table, one row per input; one that failed has its path and the error."""
 
 
 @click.command(
@@ -35,7 +36,7 @@ COLUMNS = (
         "leitmotion info recordings/ -o recordings.csv",
     )
 )
-@click.argument("inputs", nargs=-1, required=True, metavar="INPUT...")
+@takes_inputs
 @output("Also write it, by the ending: .json, or .csv with one row per input.")
 @as_json
 @common(searching=False)
@@ -55,7 +56,7 @@ def info(inputs: tuple[str, ...], options: Options) -> None:
             parameters=reading_parameters(options.reading, told.window),
             result=info_result(told),
             show=lambda console: _show(console, told),
-            warnings=list(told.warnings),
+            warnings=[*told.warnings, *unused_skeleton(options, told.findings)],
         )
 
     def check(given: Sequence[Input]) -> None:
@@ -122,9 +123,14 @@ def _value(what: str, value: object, told: Info) -> str:
 
 def _rows(document: Document) -> Iterator[dict[str, object]]:
     """One row per input."""
-    source, result = document["source"][0], document["result"]
+    source = document["source"][0]
+    if "error" in document:
+        yield source | {"error": f"{document['error']['message']} {document['error']['remedy']}".strip()}
+        return
+    result = document["result"]
     kind = result["kind"]
-    facts = {what: result.get(what, {}).get("value") for what in ("unit", "up", "facing", "size")}
+    told = ("unit", "up", "handedness", "facing", "size")
+    facts = {what: result.get(what, {}).get("value") for what in told}
     yield source | {
         "kind": kind,
         "count": result[kind]["count"],

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import functools
 import json
+import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
@@ -66,7 +67,11 @@ class Options:
         """The keyword arguments of the search, those that were given."""
         if self.stillness and self.method != "recurrence":
             raise click.UsageError("--stillness belongs to --method recurrence.")
-        given: dict[str, Any] = {"method": self.method, "joints": self.joints or None, "exclude": self.exclude}
+        given: dict[str, Any] = {
+            "method": self.method,
+            "joints": self.joints or None,
+            "exclude": self.exclude,
+        }
         if self.min_duration is not None:
             given["min_duration_s"] = self.min_duration
         if self.stillness:
@@ -90,21 +95,79 @@ class Options:
 
 def _names(ctx: click.Context, param: click.Parameter, value: tuple[str, ...]) -> tuple[str, ...]:
     """Split what was given at commas: ``--joints head,neck --joints pelvis`` is three names."""
-    return tuple(name.strip() for given in value for name in given.split(",") if name.strip())
+    named = [[name.strip() for name in given.split(",") if name.strip()] for given in value]
+    if not all(named):
+        raise click.BadParameter(f"{value[named.index([])]!r} names no role.", ctx, param)
+    return tuple(name for names in named for name in names)
 
 
-_POSITIVE = click.FloatRange(min=0, min_open=True)
+def _unit(ctx: click.Context, param: click.Parameter, value: str | None) -> str | None:
+    """Refuse what names no unit; whether pixels fit is for the recording to say."""
+    if value is None:
+        return None
+    from leitmotion.io.conform import IMAGE_UNITS
+    from leitmotion.io.units import unit_in_metres
+    from leitmotion.motion.errors import ParameterError
+
+    try:
+        if value not in IMAGE_UNITS:
+            unit_in_metres(value)
+    except ParameterError as error:
+        raise click.BadParameter(error.message, ctx, param) from None
+    return value
+
+
+def some(ctx: click.Context, param: click.Parameter, value: Any) -> Any:
+    """Refuse an empty name, which would be taken for the current folder."""
+    if "" in ((value,) if isinstance(value, str) else value or ()):
+        raise click.UsageError("No input named: one is empty, as when a shell variable is not set.", ctx)
+    return value
+
+
+class _Positive(click.FloatRange):
+    """A number above 0 that is finite: a range alone lets NaN and infinity pass."""
+
+    def __init__(self) -> None:
+        super().__init__(min=0, min_open=True)
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
+        number = super().convert(value, param, ctx)
+        if not math.isfinite(number):
+            self.fail(f"{value!r} is no finite number.", param, ctx)
+        return number
+
+
+class _Axis(click.Choice):
+    """An axis with its sign."""
+
+    def __init__(self) -> None:
+        super().__init__(["x", "y", "z", "-x", "-y", "-z"], case_sensitive=False)
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
+        return super().convert(value.removeprefix("+"), param, ctx)
+
+
+takes_inputs = click.argument("inputs", nargs=-1, required=True, metavar="INPUT...", callback=some)
+_FILE = click.Path(exists=True, dir_okay=False)
 _READING = (
     click.option("--person", metavar="NAME", help="Which person of a file that holds several."),
-    click.option("--skeleton", metavar="FILE", help="The ASF file of an AMC, when it is not beside it."),
     click.option(
-        "--unit", metavar="UNIT", help="Unit of length: m, cm, mm, inch, … when the file does not tell."
+        "--skeleton", type=_FILE, metavar="FILE", help="The ASF file of an AMC, when it is not beside it."
     ),
     click.option(
-        "--up", metavar="AXIS", help="The axis that points up: y or z, when the file does not tell."
+        "--unit",
+        callback=_unit,
+        metavar="UNIT",
+        help="Unit of length: m, cm, mm, inch, … when the file does not tell.",
     ),
     click.option(
-        "--rate", type=_POSITIVE, metavar="HZ", help="Frames per second, when the file does not tell."
+        "--up",
+        type=_Axis(),
+        metavar="AXIS",
+        help="The axis that points up: x, y, z, -x, -y or -z, when the file does not tell.",
+    ),
+    click.option(
+        "--rate", type=_Positive(), metavar="HZ", help="Frames per second, when the file does not tell."
     ),
     click.option(
         "--map",
@@ -130,7 +193,7 @@ _SEARCHING = (
     ),
     click.option("--exclude", multiple=True, callback=_names, metavar="ROLES", help="Leave these roles out."),
     click.option(
-        "--min-duration", type=_POSITIVE, metavar="SECONDS", help="The shortest stretch that counts."
+        "--min-duration", type=_Positive(), metavar="SECONDS", help="The shortest stretch that counts."
     ),
     click.option("--stillness", is_flag=True, help="Let a posture that is held again count as a pattern."),
 )

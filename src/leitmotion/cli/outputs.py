@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import io as streams
 import json
+import tempfile
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -38,18 +39,35 @@ def check_output(path: Path, inputs: Sequence[Input], *, endings: Sequence[str],
     Raises
     ------
     click.UsageError
-        When the ending is none of these, or the file is an input or somebody else's page.
+        When the ending is none of these, the file is an input or somebody else's page, or the place takes no file.
     """
     if path.suffix.lower() not in endings:
         raise click.UsageError(
             f"Cannot tell what to write from {path.name!r}: end it in {', '.join(endings)}."
         )
+    _check_place(path)
     if not path.exists():
         return
+    if path.is_dir():
+        raise click.UsageError(f"{path} is a folder, not a file to write.")
     if any(given.path.exists() and path.samefile(given.path) for given in inputs):
         raise click.UsageError(f"{path} is an input, and inputs are never written over.")
     if path.suffix.lower() == ".html" and not force and not is_ours(path):
         raise click.UsageError(f"{path} exists, and Leitmotion did not write it. Replace it with --force.")
+
+
+def _check_place(path: Path) -> None:
+    """Refuse a place where no file can be made, by making one in the folder that is there, and taking it away."""
+    folder = next(folder for folder in path.parents if folder.exists())
+    if not folder.is_dir():
+        raise click.UsageError(f"{path} cannot be written: {folder} is a file, not a folder.")
+    try:
+        with tempfile.TemporaryFile(dir=folder):
+            pass
+    except OSError as error:
+        raise click.UsageError(
+            f"{path} cannot be written: the folder {folder} takes no file ({error.strerror})."
+        ) from None
 
 
 def write_documents(path: Path, documents: list[Document], columns: Sequence[str], rows: Rows) -> None:
@@ -64,7 +82,7 @@ def write_documents(path: Path, documents: list[Document], columns: Sequence[str
     columns : sequence of str
         The columns of the table.
     rows : callable
-        Gives the rows of the table that one result stands for.
+        Gives the rows of the table that one document stands for, be it an answer or a failure.
     """
     from leitmotion.io import write_whole
 
@@ -72,8 +90,7 @@ def write_documents(path: Path, documents: list[Document], columns: Sequence[str
         held = documents[0] if len(documents) == 1 else documents
         write_whole(path, json.dumps(held, indent=1, allow_nan=False) + "\n")
     else:
-        answered = [document for document in documents if "result" in document]
-        write_whole(path, _table(columns, [row for document in answered for row in rows(document)]))
+        write_whole(path, _table(columns, [row for document in documents for row in rows(document)]))
 
 
 def write_figure(path: Path, figure: Figure) -> None:

@@ -12,7 +12,7 @@ from leitmotion.cli.batch import Answer, answer_each, finish
 from leitmotion.cli.documents import Document, patterns_result
 from leitmotion.cli.finding import search, show_patterns
 from leitmotion.cli.inputs import Input
-from leitmotion.cli.options import Options, as_json, common, examples, force, output
+from leitmotion.cli.options import Options, as_json, common, examples, force, output, takes_inputs
 from leitmotion.cli.outputs import check_output, write_documents, write_figure
 from leitmotion.cli.pages import write_page
 from leitmotion.cli.progress import Progress
@@ -39,7 +39,7 @@ COLUMNS = (
         "leitmotion patterns recordings/ --json",
     )
 )
-@click.argument("inputs", nargs=-1, required=True, metavar="INPUT...")
+@takes_inputs
 @output(
     "Also write what was found, by the ending: .json or .csv; of one input .html, .png, .svg, .pdf or .npz."
 )
@@ -95,7 +95,9 @@ def _write_one(path: Path, opened: Opened, found: Patterns, options: Options, pr
 
 
 def _rows(document: Document) -> Iterator[dict[str, object]]:
-    """One row per occurrence."""
+    """One row per occurrence; a failure has none."""
+    if "error" in document:
+        return
     path = document["source"][0]["path"]
     for pattern in document["result"]["patterns"]:
         for place, occurrence in enumerate(pattern["occurrences"], start=1):

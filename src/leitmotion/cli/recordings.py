@@ -15,6 +15,10 @@ if TYPE_CHECKING:
     from leitmotion.api import Body, Motion, Trajectories
 
 
+MISREAD = ("size", "up")
+"""The kinds of problems that tell of a unit or a vertical taken wrongly: all that is found then is in doubt."""
+
+
 class Opened(NamedTuple):
     """One person's recording, and what the answer says about where it comes from."""
 
@@ -48,7 +52,7 @@ def open_one(given: Input, options: Options, progress: Progress) -> Opened:
     DataError
         When the file holds several people and none was chosen.
     """
-    from leitmotion.body import embody, map_from
+    from leitmotion.api import embody, info
     from leitmotion.io import open_recording
     from leitmotion.motion import DataError
 
@@ -60,13 +64,20 @@ def open_one(given: Input, options: Options, progress: Progress) -> Opened:
             remedy="Choose one with --person NAME.",
         )
     recording = reading.recordings[0]
-    entries = options.map_entries()
-    body = embody(recording, None if entries is None else map_from(entries, recording))
+    told = info(recording, body_map=options.map_entries())
+    misread = [f"{problem.message} {problem.remedy}" for problem in told.problems if problem.what in MISREAD]
     return Opened(
         recording=recording,
-        body=body,
+        body=embody(recording, told.roles),
         source=[source_entry(given, frames=len(recording), rate=recording.rate)],
         first_frame=0 if reading.window is None else reading.window[0],
         parameters=reading_parameters(options.reading, reading.window),
-        warnings=reading.warnings,
+        warnings=[*reading.warnings, *misread, *unused_skeleton(options, reading.findings)],
     )
+
+
+def unused_skeleton(options: Options, findings: Mapping[str, object]) -> list[str]:
+    """Say that ``--skeleton`` was given for a file that takes none from elsewhere."""
+    if options.skeleton is None or "skeleton" in findings:
+        return []
+    return ["--skeleton was not used: only an AMC takes its skeleton from another file."]

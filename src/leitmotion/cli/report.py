@@ -13,7 +13,7 @@ from leitmotion.cli.batch import Answer, answer_each, finish
 from leitmotion.cli.documents import patterns_result
 from leitmotion.cli.finding import search
 from leitmotion.cli.inputs import Input
-from leitmotion.cli.options import Options, as_json, common, examples, force, output
+from leitmotion.cli.options import Options, as_json, common, examples, force, output, takes_inputs
 from leitmotion.cli.outputs import check_output
 from leitmotion.cli.pages import open_page, write_page
 from leitmotion.cli.progress import Progress
@@ -29,7 +29,7 @@ if TYPE_CHECKING:
         "leitmotion report recordings/ -o pages/",
     )
 )
-@click.argument("inputs", nargs=-1, required=True, metavar="INPUT...")
+@takes_inputs
 @output(
     "The page to write, or a folder for pages of several inputs. By default NAME.html in the current folder.",
     folder=True,
@@ -69,48 +69,58 @@ def report(
         opened = open_one(given, options, progress)
         found = search(opened.body, options, progress)
         page = pages[given.shown]
+        lane, notes = (None, []) if labels is None else _read_labels(labels, opened)
         write_page(
             page,
             opened,
             found,
             options,
             progress,
-            labels=None if labels is None else _read_labels(labels, opened),
+            labels=lane,
             labels_from="" if labels is None else labels.name,
         )
         if open_it and not open_page(page):
-            progress.note("There is no screen here to open the page on.")
+            progress.note_once("There is no screen here to open the page on.")
         return Answer(
             source=opened.source,
             result=patterns_result(found) | {"written": str(page)},
             show=lambda console: console.print(f"{title(found)}. Open {page}"),
             parameters={**found.parameters, **opened.parameters},
-            warnings=opened.warnings,
+            warnings=[*opened.warnings, *notes],
         )
 
     finish(answer_each("report", inputs, options, look, check=check))
 
 
-def _read_labels(path: Path, opened: Opened) -> Segmentation:
-    """Read labels of the whole file, and keep those of the window that was read."""
+def _read_labels(path: Path, opened: Opened) -> tuple[Segmentation, list[str]]:
+    """Read labels of the whole file, keep those of the window that was read, and say how many are not."""
     from leitmotion.api import Segmentation, read_annotations
 
     labels = read_annotations(path, rate=opened.recording.rate, trial=opened.recording.name)
     first, frames = opened.first_frame, len(opened.recording)
     inside = (labels.starts < first + frames) & (labels.stops > first)
-    return Segmentation(
+    kept = Segmentation(
         starts=(labels.starts[inside] - first).clip(min=0),
         stops=(labels.stops[inside] - first).clip(max=frames),
-        labels=tuple(label for label, kept in zip(labels.labels, inside, strict=True) if kept),
+        labels=tuple(itertools.compress(labels.labels, inside)),
         scores=labels.scores[inside],
         rate=labels.rate,
     )
+    if inside.all():
+        return kept, []
+    lost = f"{len(labels) - len(kept)} of {len(labels)} labels in {path.name}"
+    return kept, [f"Not shown: {lost}, outside the {opened.recording.duration:.2f} s that were read."]
 
 
 def _pages(inputs: Sequence[Input], output: Path | None) -> dict[str, Path]:
     """Say which page each input is written to; two inputs of one name get pages of two names."""
     if output is not None and len(inputs) == 1 and output.suffix and not output.is_dir():
         return {inputs[0].shown: output}
+    if output is not None and output.suffix and not output.is_dir():
+        raise click.UsageError(
+            f"{output} names one file, but there are {len(inputs)} recordings. "
+            f"Name a folder: -o {output.with_suffix('')}."
+        )
     if output is not None and output.exists() and not output.is_dir():
         raise click.UsageError(f"{output} is neither a folder nor a file that ends in .html.")
     pages: dict[str, Path] = {}
