@@ -121,7 +121,7 @@ class Draft:
     takes: Sequence[SkeletonTake | PointTake]
     rate: Finding
     unit: Finding | None = None
-    """None where the format does not say; one that is "guessed" must make the body an adult's to be believed."""
+    """None where the format does not say; a length that is "guessed" is believed where it makes the body an adult's."""
 
     up: Finding | None = None
     """None where the format does not say."""
