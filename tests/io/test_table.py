@@ -66,6 +66,103 @@ def test_uneven_times_are_told(tmp_path):
     assert any("unevenly spaced" in warning for warning in reading.warnings)
 
 
+def timed(tmp_path, times, **options):
+    text = "time_ms,A_x,A_y,A_z\n" + "".join(f"{t},{k},2,3\n" for k, t in enumerate(times))
+    return read(tmp_path, text, **options)
+
+
+def test_a_gap_in_the_times_is_missing_frames(tmp_path):
+    times = [*range(0, 1000, 20), *range(11000, 12000, 20)]
+    reading = timed(tmp_path, times)
+    (points,) = reading.recordings
+    assert (points.rate, len(points)) == (50.0, 600)
+    rows = np.concatenate((np.arange(50.0), np.full(500, np.nan), np.arange(50.0, 100.0)))
+    np.testing.assert_array_equal(points.positions[:, 0, 0], rows)
+    assert reading.warnings == (
+        "500 frames are missing where the times leap: 10 s after row 50 (at 0.98 s).",
+    )
+
+
+def test_between_gaps_rows_that_stay_near_even_steps_are_frames(tmp_path):
+    times = np.arange(200) * 33.5 + np.random.default_rng(0).choice([-15, 0, 15], 200)
+    times[80:] += 40_000
+    reading = timed(tmp_path, times)
+    (points,) = reading.recordings
+    row = points.positions[:, 0, 0]
+    np.testing.assert_array_equal(row[np.isfinite(row)], np.arange(200))
+    assert np.isnan(row[80:-120]).all()
+    assert len(row) / points.rate == pytest.approx(times[-1] / 1000, abs=0.1)
+    assert any("they were taken as even" in warning for warning in reading.warnings)
+
+
+def test_frames_of_uneven_rows_are_those_nearest_in_time(tmp_path):
+    rng = np.random.default_rng(0)
+    steps = rng.choice([16, 31, 31, 31, 47, 78, 110], 2000)
+    steps[1200] = 40_000
+    times = np.cumsum(steps)
+    reading = timed(tmp_path, times)
+    (points,) = reading.recordings
+    assert reading.findings["rate"].how == "read"
+    assert points.rate == pytest.approx(1000 / 31)
+    assert "usual step of 31.0 ms" in reading.findings["rate"].reason
+    at = times[0] + np.arange(len(points)) * 31.0
+    row = points.positions[:, 0, 0]
+    seen = np.isfinite(row)
+    nearest = np.abs(times[:, None] - at[None]).min(axis=0)
+    np.testing.assert_array_equal(np.abs(times[row[seen].astype(int)] - at[seen]), nearest[seen])
+    assert (np.flatnonzero(~seen) == np.arange(np.argmin(seen), np.argmin(seen) + (~seen).sum())).all()
+    assert (~seen).sum() * 31.0 == pytest.approx(40_000, abs=62)
+    assert any("frames repeat a row" in warning for warning in reading.warnings)
+    assert any("40 s after row 1200" in warning for warning in reading.warnings)
+
+
+@pytest.mark.parametrize("rate", [60, 120, 240, 29.97])
+def test_times_rounded_to_milliseconds_are_even(tmp_path, rate):
+    reading = timed(tmp_path, np.rint(np.arange(3000) * 1000 / rate).astype(int))
+    assert reading.recordings[0].rate == pytest.approx(rate, rel=2e-3)
+    assert len(reading.recordings[0]) == 3000
+
+
+def test_dropped_rows_do_not_shift_the_others(tmp_path):
+    kept = np.delete(np.arange(2000), np.random.default_rng(1).integers(1, 1000, 60))
+    (points,) = timed(tmp_path, kept * 20).recordings
+    assert (points.rate, len(points)) == (50.0, 2000)
+    assert points.positions[-1, 0, 0] == len(kept) - 1
+
+
+def test_with_a_rate_given_each_row_is_a_frame(tmp_path):
+    reading = timed(tmp_path, [0, 20, 40, 90_000, 90_020], rate=25)
+    assert (len(reading.recordings[0]), reading.recordings[0].rate) == (5, 25)
+    assert any("each row was taken as a frame" in warning for warning in reading.warnings)
+
+
+@pytest.mark.parametrize(
+    ("times", "match"),
+    [
+        (
+            [*range(0, 2000, 20), 10**8],
+            r"spans 100000 s.*Part the file where its times leap \(row 101\).*--rate HZ",
+        ),
+        ([*range(0, 1000, 20), *range(0, 2000, 20)], "leap back in row 51 of the table.*Part the file there"),
+        ([5], "one row of numbers tells no rate.*--rate HZ"),
+    ],
+)
+def test_times_that_make_no_recording_are_refused(tmp_path, times, match):
+    with pytest.raises(FormatError, match=match):
+        timed(tmp_path, times)
+    assert len(timed(tmp_path, times, rate=50).recordings[0]) == len(times)
+
+
+def test_a_point_given_twice_is_numbered(tmp_path):
+    text = "time,A_x,A_y,A_z,A_c,A_x,A_y,A_z,A_c\n0,1,2,3,0.5,4,5,6,0.25\n0.1,1,2,3,0.5,4,5,6,0.25\n"
+    reading = read(tmp_path, text)
+    (points,) = reading.recordings
+    assert points.names == ("A", "A#2")
+    np.testing.assert_array_equal(points.positions[0], [[1, 2, 3], [4, 5, 6]])
+    np.testing.assert_array_equal(points.confidence[0], [0.5, 0.25])
+    assert reading.warnings == ("Names stand more than once and were numbered: A.",)
+
+
 def test_the_rate_may_stand_in_a_comment_or_be_given(tmp_path):
     text = "A_x,A_y,A_z\n1,2,3\n1,2,3\n"
     assert read(tmp_path, "# rate: 60 Hz\n" + text).recordings[0].rate == 60
@@ -89,6 +186,13 @@ def test_confidence_and_columns_that_are_no_points(tmp_path):
     reading = read(tmp_path, text)
     np.testing.assert_array_equal(reading.recordings[0].confidence, [[0.25], [0.0]])
     assert any("left out: image" in warning for warning in reading.warnings)
+
+
+def test_confidences_outside_0_to_1_are_told(tmp_path):
+    text = "time,A_x,A_y,A_z,A_confidence\n0,1,2,3,1.5\n0.1,1,2,3,-0.5\n0.2,1,2,3,1\n"
+    reading = read(tmp_path, text, unit="m")
+    np.testing.assert_array_equal(reading.recordings[0].confidence, [[1.0], [0.0], [1.0]])
+    assert any("2 confidences lie outside 0 to 1" in warning for warning in reading.warnings)
 
 
 def test_subjects_before_a_colon_are_people(tmp_path):
@@ -174,6 +278,17 @@ def test_markers_nameless_or_never_seen_are_left_out_and_told(tmp_path):
 def test_faults_of_a_trc_name_their_line(tmp_path, old, new, match):
     with pytest.raises(FormatError, match=match):
         read(tmp_path, TRC.replace(old, new), "clip.trc")
+
+
+def test_a_trc_without_rate_is_placed_by_its_times(tmp_path):
+    rows = "".join(
+        f"{k}\t{t:.3f}\t{k}\t1700\t3\t4\t80\t6\n" for k, t in enumerate([0, 0.02, 0.04, 0.34, 0.36], 1)
+    )
+    reading = read(tmp_path, TRC.partition("1\t0.000")[0].replace("50.00\t50.00", "0\t0") + rows, "clip.trc")
+    (markers,) = reading.recordings
+    assert (markers.rate, len(markers)) == (50.0, 19)
+    assert np.isnan(markers.positions[3:17]).all()
+    assert any("14 frames are missing" in warning for warning in reading.warnings)
 
 
 def test_a_wrong_count_of_frames_is_told(tmp_path):

@@ -11,6 +11,7 @@ from __future__ import annotations
 import csv
 import io
 import re
+from collections import Counter
 from dataclasses import replace
 
 import numpy as np
@@ -18,7 +19,7 @@ import numpy as np
 from leitmotion.io.numerals import read_rows
 from leitmotion.io.points import split_people
 from leitmotion.io.reading import Draft, Finding, Source
-from leitmotion.io.timing import rate_of_times
+from leitmotion.io.timing import Timing, read_times
 
 _SUFFIX = re.compile(r"^(?P<name>.*?)(?P<mark>[\s_.:\-\[(]*)(?P<letter>[xyzXYZ])[\])]?$")
 _PREFIX = re.compile(r"^(?P<letter>[xyzXYZ])[_\s]?(?P<name>\d+)$")
@@ -70,17 +71,37 @@ def read(source: Source) -> Draft:
     if left:
         warnings.append(f"{len(left)} columns that are no points were left out: {', '.join(left[:8])}.")
     names = list(columns)
+    again = [name for name in names if f"{name}#2" in columns]
+    if again:
+        warnings.append(f"Names stand more than once and were numbered: {', '.join(again)}.")
     positions = rows.values[:, [columns[name] for name in names]]
     positions[~np.isfinite(positions).all(axis=-1)] = np.nan
-    takes = split_people(names, positions, _kind(names))
+    timing = _timing(source, rows.values, time, header, warnings)
+    takes = split_people(names, timing.place(positions), _kind(names))
     if sure and len(takes) == 1:
-        takes[0].confidence = _confidence(rows.values, names, sure)
+        takes[0].confidence = timing.place(_confidence(rows.values, names, sure, warnings), missing=0.0)
     return Draft(
         takes,
-        rate=_rate(source, rows.values, time, header, warnings),
+        rate=timing.rate,
         unit=_plane_unit(positions) if flat else None,
         warnings=warnings,
     )
+
+
+def looks(head: bytes) -> bool:
+    """Whether a file that begins like this has a header that names points."""
+    lines = head.removeprefix(b"\xef\xbb\xbf").decode("utf-8", "replace").splitlines()
+    line = next((line for line in lines if line.strip() and not line.startswith("#")), "")
+    return bool(_columns(_cells(line.replace('"', ""), _delimiter(line)))[0])
+
+
+def _delimiter(line: str) -> str:
+    mark = max("\t,;", key=line.count)
+    return mark if mark in line else " "
+
+
+def _cells(line: str, delimiter: str) -> list[str]:
+    return line.split() if delimiter == " " else [cell.strip() for cell in line.split(delimiter)]
 
 
 def _header(source: Source) -> tuple[Source, int, list[str], str]:
@@ -95,14 +116,12 @@ def _header(source: Source) -> tuple[Source, int, list[str], str]:
     if stop < 0:
         raise source.error("expected a header and a row a frame, found one line.")
     line = content[position:stop].decode("utf-8", "replace").strip("\r")
-    delimiter = max("\t,;", key=line.count)
-    if delimiter not in line:
-        delimiter = " "
+    delimiter = _delimiter(line)
     if b'"' in content:
         content, position = _unquoted(content[position:], delimiter), 0
         stop = content.find(b"\n")
         line = content[:stop].decode("utf-8", "replace")
-    header = line.split() if delimiter == " " else [cell.strip() for cell in line.split(delimiter)]
+    header = _cells(line, delimiter)
     if delimiter == ";":  # where a semicolon divides, a comma is a decimal point
         content = content[:stop] + content[stop:].replace(b",", b".")
     return replace(source, content=content), stop + 1, header, delimiter
@@ -117,10 +136,13 @@ def _unquoted(content: bytes, delimiter: str) -> bytes:
 def _columns(header: list[str]) -> tuple[dict[str, list[int]], dict[str, int], list[str]]:
     """Columns of each point's coordinates, of its confidence, and the names of columns that are neither."""
     found: dict[str, dict[str, int]] = {}
+    counts: Counter[tuple[str, str]] = Counter()
     for k, word in enumerate(header):
         match = _PREFIX.match(word) or _SUFFIX.match(word)
         if match and match["name"]:
-            found.setdefault(match["name"], {}).setdefault(match["letter"].lower(), k)
+            letter = match["letter"].lower()
+            own = _numbered(match["name"], letter, counts)
+            found.setdefault(own, {}).setdefault(letter, k)
     solid = any(len(letters) == 3 for letters in found.values())
     letters = "xyz" if solid else "xy"
     columns = {
@@ -131,29 +153,43 @@ def _columns(header: list[str]) -> tuple[dict[str, list[int]], dict[str, int], l
     sure = {}
     for k, word in enumerate(header):
         match = _SURE.match(word)
-        if match and match["name"] in columns:
-            sure[match["name"]] = k
+        own = _numbered(match["name"], "", counts) if match else ""
+        if own in columns:
+            sure[own] = k
     used = {k for triple in columns.values() for k in triple} | set(sure.values())
     return columns, sure, [word for k, word in enumerate(header) if k not in used]
 
 
-def _confidence(values: np.ndarray, names: list[str], sure: dict[str, int]) -> np.ndarray:
+def _numbered(name: str, letter: str, counts: Counter[tuple[str, str]]) -> str:
+    """The name of a point, numbered where its column stands again: ``RKNE``, ``RKNE#2``."""
+    counts[name, letter] += 1
+    return name if counts[name, letter] == 1 else f"{name}#{counts[name, letter]}"
+
+
+def _confidence(
+    values: np.ndarray, names: list[str], sure: dict[str, int], warnings: list[str]
+) -> np.ndarray:
+    """From 0 to 1: 0 where the cell is empty, 1 of a point that has no such column."""
     columns = [values[:, sure[name]] if name in sure else np.ones(len(values)) for name in names]
-    return np.clip(np.nan_to_num(np.stack(columns, axis=1), nan=0.0), 0.0, 1.0)
+    stated = np.nan_to_num(np.stack(columns, axis=1), nan=0.0)
+    outside = int(((stated < 0.0) | (stated > 1.0)).sum())
+    if outside:
+        warnings.append(f"{outside} confidences lie outside 0 to 1 and were taken as the nearer of the two.")
+    return np.clip(stated, 0.0, 1.0)
 
 
-def _rate(
+def _timing(
     source: Source, values: np.ndarray, time: int | None, header: list[str], warnings: list[str]
-) -> Finding:
+) -> Timing:
     if time is not None:
-        return rate_of_times(source, values[:, time], header[time], warnings)
+        return read_times(source, values[:, time], header[time], warnings)
     stated = re.search(
         rb"^#[^\n]*?\b(?:rate|fps|frequency)\b\s*[:=]?\s*([\d.]+)", source.content, re.I | re.M
     )
     if stated:
-        return Finding(float(stated[1]), "read", "stated in a comment")
+        return Timing(Finding(float(stated[1]), "read", "stated in a comment"), None)
     if source.options.rate is not None:
-        return Finding(float(source.options.rate), "given", "rate given by the caller")
+        return Timing(Finding(source.options.rate, "given", "rate given by the caller"), None)
     raise source.error("expected a column of times, found none.", remedy="State the rate with --rate HZ.")
 
 

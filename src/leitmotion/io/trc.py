@@ -14,7 +14,7 @@ import numpy as np
 from leitmotion.io.numerals import read_rows
 from leitmotion.io.points import distinct, split_people, unseen_in_origin
 from leitmotion.io.reading import Draft, Finding, Source
-from leitmotion.io.timing import rate_of_times
+from leitmotion.io.timing import Timing, read_times
 from leitmotion.io.units import unit_named
 
 
@@ -74,10 +74,11 @@ def read(source: Source) -> Draft:
     _check_count(facts.get("numframes"), len(values), "frames", warnings)
     positions = np.where(np.isfinite(values).all(axis=-1, keepdims=True), values, np.nan)
     unseen_in_origin(positions, warnings)
+    timing = _timing(source, facts, rows.values[:, 1], warnings)
     unit = unit_named(facts.get("units", ""))
     return Draft(
-        split_people(distinct(names, warnings), positions),
-        rate=_rate(source, facts, rows.values[:, 1]),
+        split_people(distinct(names, warnings), timing.place(positions)),
+        rate=timing.rate,
         unit=Finding(unit, "read", f"Units is {facts['units']!r}") if unit else None,
         warnings=warnings,
     )
@@ -107,14 +108,14 @@ def _first_lines(source: Source) -> tuple[list[str], list[int]]:
     return lines, borders
 
 
-def _rate(source: Source, facts: dict[str, str], times: np.ndarray) -> Finding:
+def _timing(source: Source, facts: dict[str, str], times: np.ndarray, warnings: list[str]) -> Timing:
     try:
         rate = float(facts.get("datarate", ""))
     except ValueError:
         rate = 0.0
     if np.isfinite(rate) and rate > 0:
-        return Finding(rate, "read", "stated as DataRate")
-    return rate_of_times(source, times, "Time", [])
+        return Timing(Finding(rate, "read", "stated as DataRate"), None)
+    return read_times(source, times, "Time", warnings)
 
 
 def _check_count(stated: str | None, found: int, what: str, warnings: list[str]) -> None:
