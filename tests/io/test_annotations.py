@@ -69,14 +69,28 @@ def test_frames_of_another_rate_give_way_to_seconds(tmp_path):
     ("name", "text", "match"),
     [
         ("a.csv", "from,to\n1,2\n", "line 1: expected the columns start, stop"),
-        ("a.csv", "start,stop\n1,x\n", "line 2: expected a number as stop, found 'x'"),
-        ("a.csv", "start,stop\n5,\n", "line 2: expected start and stop"),
-        ("a.csv", "start,stop\n5,5\n", "stop after its start"),
-        ("a.csv", "start,stop\n-5,5\n", "frame 0 or later"),
-        ("a.csv", "start,stop\n0,inf\n", "finite stop"),
-        ("a.csv", "start,stop\n0,99999999999999999999\n", "line 2: expected frames below"),
+        ("a.csv", "start,stop,label\n1,x,a\n", "line 2: expected a number as stop, found 'x'"),
+        ("a.csv", "start,stop,label\n5,,a\n", "line 2: expected start and stop"),
+        ("a.csv", "start,stop,label\n5,5,a\n", "stop after its start"),
+        ("a.csv", "start,stop,label\n-5,5,a\n", "frame 0 or later"),
+        ("a.csv", "start,stop,label\n0,inf,a\n", "finite stop"),
+        ("a.csv", "start,stop,label\n0,99999999999999999999,a\n", "line 2: expected frames below"),
         ("a.txt", "86 01\nwalk 1 2² 3\njump 1 2 3\n", "line 2: expected a trial or a name"),
         ("a.json", "{", "no JSON"),
+        (
+            "a.csv",
+            "start_s,stop_s\n0,1\n",
+            r"line 1: expected a column label \(or pattern\), found start_s, stop_s",
+        ),
+        ("a.csv", "0,60\n60,90\n", "expected a column label"),
+        (
+            "a.csv",
+            "path,pattern,start,stop\na,A,0,9\nb,A,0,9\n",
+            "stretches of one recording, found those of 2",
+        ),
+        ("a.json", '{"result": {}}\n{"result": {}}\n', "one recording, found 2 answers"),
+        ("a.json", '[{"result": {}}, {"result": {}}]', "one recording, found 2 answers"),
+        ("a.json", '{"patterns": [{"id": "A"}]}', "expected a list of stretches"),
         ("a.json", '{"x": 1}', "expected a list of stretches"),
         ("a.json", "[1, 2]", "expected a list of stretches"),
         ("a.json", '[{"label": "x"}]', "stretch 1: expected start and stop"),
@@ -86,6 +100,23 @@ def test_frames_of_another_rate_give_way_to_seconds(tmp_path):
 def test_faults_are_one_sentence(tmp_path, name, text, match):
     with pytest.raises(FormatError, match=match):
         read(tmp_path, name, text)
+
+
+def test_found_patterns_are_labels(tmp_path):
+    stretch = {"start": 10, "stop": 44, "start_s": 0.3333, "stop_s": 1.4667, "score": 0.5}
+    later = {"start": 60, "stop": 75, "start_s": 2.0, "stop_s": 2.5, "score": None}
+    patterns = [{"id": "A", "occurrences": [stretch, later]}, {"id": "B", "occurrences": [stretch]}]
+    answer = json.dumps({"verb": "patterns", "result": {"patterns": patterns, "pairs": []}})
+    table = (
+        "path,pattern,occurrence,start,stop,start_s,stop_s,score,kind\n"
+        "a.bvh,A,1,10,44,0.3333,1.4667,0.5,cyclic\na.bvh,A,2,60,75,2.0,2.5,,cyclic\n"
+        "a.bvh,B,1,10,44,0.3333,1.4667,0.5,acyclic\n"
+    )
+    expected = Segmentation([10, 60, 10], [44, 75, 44], ("A", "A", "B"), [0.5, np.nan, 0.5], 30.0)
+    assert read(tmp_path, "p.json", answer, rate=30) == expected
+    assert read(tmp_path, "p.json", f"[{answer}]", rate=30) == expected
+    assert read(tmp_path, "p.csv", table, rate=30) == expected
+    assert read(tmp_path, "p.json", answer, rate=60).stops.tolist() == [88, 150, 88]
 
 
 def test_other_extensions_are_not_written(tmp_path):

@@ -2,7 +2,8 @@
 
 A stretch is ``{"start", "stop", "start_s", "stop_s", "label", "score"}``: frames half-open, seconds beside them. In CSV
 these are columns. Where a file has seconds only, or numbers with a decimal point, they are seconds; where it has both
-and they belong to another rate, the seconds count.
+and they belong to another rate, the seconds count. The answer of a search for patterns is read as labels, too: each
+occurrence with the name of its pattern.
 """
 
 from __future__ import annotations
@@ -198,20 +199,50 @@ def _row(entry: dict[str, Any], rate: float, where: str) -> Row:
 
 
 def _from_json(text: str, rate: float, path: Path) -> list[Row]:
-    try:
-        document = json.loads(text)
-    except (ValueError, RecursionError) as error:
-        raise FormatError(f"{path.name} is no JSON: {error}.") from None
-    entries = document
+    entries = _parse(text, path)
+    if isinstance(entries, list) and any(isinstance(entry, dict) and "result" in entry for entry in entries):
+        if len(entries) > 1:
+            raise FormatError(
+                f"{path.name}: expected the answer about one recording, found {len(entries)} answers.",
+                remedy="Keep the answer about this recording.",
+            )
+        entries = entries[0]
     if isinstance(entries, dict):
         entries = entries.get("result", entries)
-    if isinstance(entries, dict):
+    if isinstance(entries, dict) and "patterns" in entries:
+        entries = _occurrences(entries["patterns"])
+    elif isinstance(entries, dict):
         entries = next((entries[name] for name in _LISTS if name in entries), None)
     if not isinstance(entries, list) or not all(isinstance(entry, dict) for entry in entries):
         raise FormatError(
-            f"{path.name}: expected a list of stretches, alone or under one of the names {', '.join(_LISTS)}."
+            f"{path.name}: expected a list of stretches, alone or under one of the names "
+            f"{', '.join(_LISTS)}, or the answer of a search for patterns."
         )
     return [_row(entry, rate, f"{path.name}, stretch {k + 1}") for k, entry in enumerate(entries)]
+
+
+def _parse(text: str, path: Path) -> Any:
+    """A document, or the list of documents of which each has a line."""
+    try:
+        return json.loads(text)
+    except (ValueError, RecursionError) as error:
+        try:
+            return [json.loads(line) for line in text.splitlines() if line.strip()]
+        except (ValueError, RecursionError):
+            raise FormatError(f"{path.name} is no JSON: {error}.") from None
+
+
+def _occurrences(patterns: Any) -> list[dict[str, Any]] | None:
+    """The occurrences of all patterns, each with its pattern's name; None where they are not what they should be."""
+    if not isinstance(patterns, list) or not all(isinstance(pattern, dict) for pattern in patterns):
+        return None
+    found: list[dict[str, Any]] = []
+    for pattern in patterns:
+        occurrences = pattern.get("occurrences")
+        if not isinstance(occurrences, list) or not all(isinstance(entry, dict) for entry in occurrences):
+            return None
+        found += [{**entry, "label": pattern.get("id", entry.get("label"))} for entry in occurrences]
+    return found
 
 
 def _from_csv(text: str, rate: float, path: Path) -> list[Row]:
@@ -233,6 +264,20 @@ def _from_csv(text: str, rate: float, path: Path) -> list[Row]:
             f"{path.name}, line 1: expected the columns start, stop, label (frames) or start_s, stop_s, label "
             f"(seconds), found {', '.join(lines[0][1][:6])}."
         )
+    if "label" not in names and "pattern" in names:
+        names[names.index("pattern")] = "label"
+    if "label" not in names:
+        raise FormatError(
+            f"{path.name}, line 1: expected a column label (or pattern), found {', '.join(header[:6])}."
+        )
+    if "path" in names:
+        place = names.index("path")
+        paths = {cells[place].strip() for _, cells in lines if place < len(cells)}
+        if len(paths) > 1:
+            raise FormatError(
+                f"{path.name}: expected the stretches of one recording, found those of {len(paths)}.",
+                remedy="Keep the rows of this recording.",
+            )
     decimal = any("." in cells[names.index(n)] for _, cells in lines for n in ("start", "stop")
                   if n in names and names.index(n) < len(cells))  # fmt: skip
     rows = []
