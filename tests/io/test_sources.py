@@ -29,7 +29,7 @@ def first_and_last(points):
     ("window", "first", "last", "frames"),
     [
         ("[2s:5s]", 20, 49, (20, 50)), ("[20:50]", 20, 49, (20, 50)), ("[20:]", 20, 99, (20, 100)),
-        ("[:5s]", 0, 49, (0, 50)), ("[ 2.5 s : 50 ]", 25, 49, (25, 50)), ("[.5s:1e9s]", 5, 99, (5, 100)),
+        ("[:5s]", 0, 49, (0, 50)), ("[ 2.5 s : 5 s]", 25, 49, (25, 50)), ("[.5s:1e9s]", 5, 99, (5, 100)),
         ("[90:1000]", 90, 99, (90, 100)), ("[:]", 0, 99, (0, 100)),
     ],
 )  # fmt: skip
@@ -49,6 +49,8 @@ def test_windows_in_frames_and_seconds(clip, window, first, last, frames):
         ("[100:]", DataError, "holds no frame"),
         ("[a:b]", ParameterError, r"seconds or frames such as \[12s:45s\]"),
         ("[-5:7]", ParameterError, "seconds or frames"),
+        ("[1s:2]", ParameterError, r"in seconds or in frames.*got both in \[1s:2\]"),
+        ("[1:2s]", ParameterError, "got both"),
     ],
 )
 def test_windows_that_hold_nothing(clip, window, error, match):
@@ -56,11 +58,24 @@ def test_windows_that_hold_nothing(clip, window, error, match):
         io.read(f"{clip}{window}")
 
 
+@pytest.mark.parametrize("window", ["[90:1000]", "[9s:12s]", "[9s:]", "[9s:10s]"])
+def test_a_window_that_is_cut_is_told(clip, window):
+    reading = io.open_recording(f"{clip}{window}", unit="m", up="y")
+    assert reading.window == (90, 100)
+    told = [warning for warning in reading.warnings if "reaches beyond" in warning]
+    if "1000" in window or "12s" in window:
+        assert told == [
+            f"The window {window} reaches beyond the recording, which has 100 frames (10.00 s): "
+            "it was cut to the frames [90:100]."
+        ]
+    else:
+        assert not told
+
+
 def test_a_file_whose_name_ends_in_brackets_wins(clip):
     odd = clip.with_name("clip.csv[2:5]")
     odd.write_text(TABLE)
-    with pytest.raises(FormatError, match="no format known here"):
-        io.read(odd)  # its extension is ".csv[2:5]": the file was found, and not the window of the other
+    assert len(io.read(odd)) == 100  # its extension is ".csv[2:5]": told by content, not cut to a window
     other = clip.with_name("take[1:3].csv")
     other.write_text(TABLE)
     assert len(io.read(other)) == 100
@@ -73,11 +88,18 @@ def test_a_file_whose_name_ends_in_brackets_wins(clip):
         ("a.bvh", b"", "a.bvh is empty"),
         ("a.bvh", b" \n\n", "a.bvh is empty"),
         ("a.bvh", b"<!DOCTYPE html><html><body>404</body></html>", "is a web page.*the file itself"),
-        ("a.bvh", bytes(range(256)) * 8, "expected the word HIERARCHY"),
+        ("a.bvh", bytes(range(1, 256)) * 8, "expected the word HIERARCHY"),
+        ("a.bvh", b"hello\nthere\n", "expected the word HIERARCHY, found 'hello'"),
+        ("a.bvh", bytes(range(256)) * 8, "line 1: expected text, found NUL bytes"),
+        ("a.bvh", b"\0" * 500, "line 1: expected text, found NUL bytes"),
+        ("a.bvh", "HIERARCHY\nROOT Hips\n".encode("utf-16"), r"is UTF-16 text\. Save it as UTF-8"),
+        ("a.csv", TABLE.encode("utf-16-le"), "is UTF-16 text"),
+        ("noext", TABLE.encode("utf-16-be"), "is UTF-16 text"),
         ("a.amc", bytes(range(1, 256)) * 8, "skeleton"),
         ("a.c3d", b"HIERARCHY\nROOT Hips\n" * 50, "mark 0x50"),
-        ("a.trc", b"\x00\x01\n" * 50, "PathFileType"),
-        ("a.csv", b"\x00\xff\xfe\n" * 50, "columns such as"),
+        ("a.trc", b"\x02\x01\n" * 50, "PathFileType"),
+        ("a.csv", b"\x02\xff\xfe\n" * 50, "columns such as"),
+        ("a.csv", b"time,A_x,A_y,A_z\n0,1,\0,3\n", "line 2: expected text, found NUL"),
         ("a.npz", b"PK\x03\x04rubbish", "damaged"),
         ("a.xyz", b"rubbish", r"ends in '.xyz'.*These are read: .*\.bvh"),
         ("noext", b"rubbish", "has no extension"),
@@ -125,6 +147,65 @@ def test_a_format_is_told_by_content_where_the_extension_tells_nothing(tmp_path)
         "End Site\n{\nOFFSET 0 1 0\n}\n}\nMOTION\nFrames: 1\nFrame Time: 0.01\n0 0 0\n"
     )
     assert io.read(path, unit="m").skeleton.names == ("a",)
+
+
+@pytest.mark.parametrize("delimiter", [",", "\t", ";", " "])
+@pytest.mark.parametrize("name", ["stdin", "points.txt"])
+def test_a_table_is_told_by_its_header(tmp_path, name, delimiter):
+    path = tmp_path / name
+    path.write_text("# a comment\n\n" + TABLE.replace(",", delimiter))
+    assert io.read(path, unit="m", up="y").names == ("A",)
+
+
+@pytest.mark.parametrize("text", ["start,stop,label\n1,2,a\n", "one line of words\n", '{"a_x": [1, 2]}\n'])
+def test_other_text_is_no_table(tmp_path, text):
+    (tmp_path / "stdin").write_text(text)
+    with pytest.raises(FormatError, match="does not begin like one"):
+        io.read(tmp_path / "stdin")
+
+
+PERSON = """ROOT Hips
+{
+OFFSET 0 0 0
+CHANNELS 6 Xposition Yposition Zposition Zrotation Yrotation Xrotation
+End Site
+{
+OFFSET 0 1 0
+}
+}
+"""
+COUPLE = f"HIERARCHY\n{PERSON * 2}MOTION\nFrames: 2\nFrame Time: 0.01\n" + (
+    "1 0 0 0 0 0 2 0 0 0 0 0\n1 0 0 0 0 0 2 0 0 0 0 0\n"
+)
+
+
+def test_people_of_one_name_are_numbered(tmp_path):
+    path = tmp_path / "couple.bvh"
+    path.write_text(COUPLE)
+    with pytest.raises(DataError, match="holds 2 people: Hips, Hips#2"):
+        io.read(path)
+    assert [
+        io.read(path, person=who, unit="m", up="y").local_positions[0, 0, 0] for who in ("Hips", "Hips#2")
+    ] == [1, 2]
+    assert io.open_recording(path).people == ("Hips", "Hips#2")
+    assert [motion.name for motion in io.read_all(path)] == ["couple:Hips", "couple:Hips#2"]
+
+
+@pytest.mark.parametrize(("name", "text"), [("couple.bvh", COUPLE), ("clip.csv", TABLE), ("clip", TABLE)])
+def test_every_line_end_is_read(tmp_path, name, text):
+    read = []
+    for end in ("\n", "\r\n", "\r"):
+        path = tmp_path / name
+        path.write_bytes(text.replace("\n", end).encode())
+        read.append(io.read_all(path, unit="m", up="y"))
+    assert read[0] == read[1] == read[2]
+
+
+def test_zeros_at_the_end_are_told_and_left_out(tmp_path):
+    (tmp_path / "clip.csv").write_bytes(TABLE.encode() + b"\0" * 7)
+    reading = io.open_recording(tmp_path / "clip.csv", unit="m", up="y")
+    assert len(reading.recordings[0]) == 100
+    assert any("ends in 7 NUL bytes" in warning for warning in reading.warnings)
 
 
 def test_every_extension_of_the_table_is_read_or_has_a_remedy():

@@ -70,8 +70,9 @@ def read_hierarchy(source: Source, warnings: list[str]) -> tuple[list[Joint], in
 
 
 def glimpse(content: bytes) -> str:
-    """Quote how a text begins."""
-    return repr(content[:40].decode("latin-1"))
+    """Quote how the first line of a text that holds more than blanks begins."""
+    line = next(iter(content.lstrip()[:160].decode("utf-8", "replace").splitlines()), "")
+    return repr("".join(mark if mark.isprintable() else " " for mark in line[:40]).strip())
 
 
 class _Tree:

@@ -36,17 +36,20 @@ class Format:
     writes: bool = False
     """Whether the module has a function ``write(recording, **options) -> bytes`` as well."""
 
+    text: bool = False
+    """Whether its files are text."""
+
     remedy: str = ""
     """What to do where it is not read."""
 
     def read(self, source: Source) -> Draft:
         """Read a file of this format."""
-        draft: Draft = import_module(f"leitmotion.io.{self.module}").read(source)
+        draft: Draft = _module(self.module).read(source)
         return draft
 
     def write(self, recording: Motion | Trajectories, **options: Any) -> bytes:
         """Make the bytes of a file of this format."""
-        write = import_module(f"leitmotion.io.{self.module}").write
+        write = _module(self.module).write
         known = [name for name, p in inspect.signature(write).parameters.items() if p.kind is p.KEYWORD_ONLY]
         unknown = sorted(set(options) - set(known))
         if unknown:
@@ -57,6 +60,10 @@ class Format:
         return content
 
 
+def _module(name: str) -> Any:
+    return import_module(f"leitmotion.io.{name}")
+
+
 def _starts(pattern: bytes) -> Callable[[bytes], bool]:
     compiled = re.compile(rb"(?:\xef\xbb\xbf)?\s*" + pattern, re.IGNORECASE)
     return lambda head: compiled.match(head) is not None
@@ -64,10 +71,16 @@ def _starts(pattern: bytes) -> Callable[[bytes], bool]:
 
 FORMATS = (
     Format("C3D", (".c3d",), "c3d", lambda head: head[:2] == b"\x02\x50"),
-    Format("BVH", (".bvh",), "bvh", _starts(rb"HIERARCHY\b"), writes=True),
-    Format("AMC", (".amc",), "asf_amc", _starts(rb"(?:#[^\n]*\n\s*)*:(?:FULLY-SPECIFIED|DEGREES|RADIANS)\b")),
-    Format("TRC", (".trc",), "trc", _starts(rb"PathFileType\b")),
-    Format("table", (".csv", ".tsv"), "table"),
+    Format("BVH", (".bvh",), "bvh", _starts(rb"HIERARCHY\b"), writes=True, text=True),
+    Format(
+        "AMC",
+        (".amc",),
+        "asf_amc",
+        _starts(rb"(?:#[^\r\n]*[\r\n]\s*)*:(?:FULLY-SPECIFIED|DEGREES|RADIANS)\b"),
+        text=True,
+    ),
+    Format("TRC", (".trc",), "trc", _starts(rb"PathFileType\b"), text=True),
+    Format("table", (".csv", ".tsv"), "table", lambda head: _module("table").looks(head), text=True),
     Format(
         "archive", (".npz",), "archive", lambda head: head.startswith(b"PK\x03\x04header.npy"), writes=True
     ),

@@ -14,6 +14,7 @@ from pathlib import Path
 from leitmotion.io.conform import conform
 from leitmotion.io.files import read_bytes
 from leitmotion.io.formats import EXTENSIONS, Format, readable, recognise
+from leitmotion.io.points import distinct
 from leitmotion.io.reading import Options, Reading, Source
 from leitmotion.motion import DataError, FormatError, Motion, ParameterError, Trajectories
 
@@ -116,14 +117,20 @@ def open_recording(
     path, window = split_window(source)
     content = read_bytes(path)
     form = _format_of(path, content)
+    warnings: list[str] = []
+    if form.text:
+        content = _as_text(path, content, warnings)
     options = Options(skeleton, unit, up, rate)
     draft = form.read(Source(path, content, options))
+    draft.warnings += warnings
+    for take, own in zip(draft.takes, distinct([take.person for take in draft.takes], draft.warnings)):
+        take.person = own
     recordings, findings = conform(draft, options, draft.name or path.stem)
     people = tuple(take.person for take in draft.takes)
     recordings, people = _choose(recordings, people, person, path)
     frames = None
     if window is not None:
-        frames = _frames_of(window, recordings[0].rate, len(recordings[0]), path)
+        frames = _frames_of(window, recordings[0].rate, len(recordings[0]), path, draft.warnings)
         recordings = [recording[slice(*frames)] for recording in recordings]
     return Reading(tuple(recordings), findings, tuple(draft.warnings), path, frames, people)
 
@@ -164,6 +171,8 @@ def _format_of(path: Path, content: bytes) -> Format:
         )
     if form is None:
         form = recognise(head)
+    if (form is None or form.text) and _is_wide(head[:64]):
+        raise FormatError(f"{path.name} is UTF-16 text.", remedy="Save it as UTF-8.")
     if form is None:
         ending = f"ends in {path.suffix!r}" if path.suffix else "has no extension"
         raise FormatError(
@@ -173,6 +182,32 @@ def _format_of(path: Path, content: bytes) -> Format:
     if not form.module:
         raise FormatError(f"{path.name}: {form.name} files are not read.", remedy=form.remedy)
     return form
+
+
+def _is_wide(head: bytes) -> bool:
+    """Whether a text is UTF-16: it begins with the mark, or every other byte is zero."""
+    if head[:2] in (b"\xff\xfe", b"\xfe\xff"):
+        return True
+    return len(head) >= 8 and any(head[::2]) != any(head[1::2])
+
+
+def _as_text(path: Path, content: bytes, warnings: list[str]) -> bytes:
+    """The text with line feeds, or a word why it is none."""
+    if b"\0" in content:
+        kept = content.rstrip(b"\0\r\n\t ")
+        place = kept.find(b"\0")
+        if place >= 0 or not kept:
+            line = kept.count(b"\n", 0, max(place, 0)) + 1
+            raise FormatError(
+                f"{path.name}, line {line}: expected text, found NUL bytes: the file is binary or damaged.",
+                remedy="Was it copied or downloaded completely?",
+            )
+        zeros = content.count(b"\0")
+        warnings.append(f"The file ends in {zeros} NUL bytes, as after a broken copy; they were left out.")
+        content = kept + b"\n"
+    if b"\n" not in content:  # line ends of a lone carriage return
+        content = content.replace(b"\r", b"\n")
+    return content
 
 
 def _choose(
@@ -191,10 +226,16 @@ def _choose(
     return [recordings[place]], (people[place],)
 
 
-def _frames_of(window: tuple[str, str], rate: float, count: int, path: Path) -> tuple[int, int]:
+def _frames_of(
+    window: tuple[str, str], rate: float, count: int, path: Path, warnings: list[str]
+) -> tuple[int, int]:
     """Frames ``[start, stop)`` of a window, within the recording."""
     text = f"[{window[0]}:{window[1]}]"
     ends = []
+    if all(window) and window[0].endswith("s") != window[1].endswith("s"):
+        raise ParameterError(
+            f"A window must be in seconds or in frames, such as [12s:45s] or [100:400], got both in {text}."
+        )
     for word, default in zip(window, (0, count)):
         match = re.fullmatch(r"(\d+(?:\.\d*)?|\.\d+)\s*s|(\d+)", word)
         if not word:
@@ -209,5 +250,10 @@ def _frames_of(window: tuple[str, str], rate: float, count: int, path: Path) -> 
     if start >= stop:
         raise DataError(
             f"The window {text} holds no frame of {path.name}, which has {count} ({count / rate:.2f} s)."
+        )
+    if ends[1] > count:
+        warnings.append(
+            f"The window {text} reaches beyond the recording, which has {count} frames ({count / rate:.2f} s): "
+            f"it was cut to the frames [{start}:{stop}]."
         )
     return start, stop
