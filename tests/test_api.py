@@ -158,6 +158,32 @@ def test_joints_are_named_as_on_the_command_line(session: lm.datasets.Session) -
         lm.find_patterns(piece, joints="hed")
 
 
+def test_what_is_compared_has_a_name(session: lm.datasets.Session, tmp_path: Path) -> None:
+    piece = session.motion[300:700]
+    assert lm.find_patterns(piece, features="posture") == lm.find_patterns(piece)
+    with pytest.raises(
+        lm.ParameterError, match=r"known for posture, not for velocity\. Say it with max_distance="
+    ):
+        lm.find_patterns(piece, features="velocity")
+    with pytest.raises(lm.ParameterError, match="Did you mean velocity"):
+        lm.find_patterns(piece, features="velocities")
+    with pytest.raises(lm.ParameterError, match="describes Trajectories, got Motion"):
+        lm.find_patterns(piece, features="marker_posture", method="tang2008")
+    found = lm.find_patterns(piece, features="joint_rotations", max_distance=0.2, joints="left_*")
+    assert found.parameters["feature"] == "joint_rotations"
+    assert found.parameters["min_amplitude"] == pytest.approx(0.04)
+    assert {name[:5] for name in found.parameters["features"]} == {"left_"}  # type: ignore[attr-defined]
+    page = lm.report(piece, tmp_path / "page.html", patterns=found)
+    assert '"unit":"°"' in page.read_text(encoding="utf-8")
+
+
+def test_paper_p_may_compare_the_recordings_own_markers() -> None:
+    markers = marker_file()
+    found = lm.find_patterns(markers, method="tang2008", features="marker_posture", exclude="LFHD,RFHD")
+    assert found.parameters["features"] == list(markers.names[2:])
+    assert found.parameters["invariant_to"] == ["place", "yaw"]
+
+
 def test_a_body_is_as_good_as_its_recording(session: lm.datasets.Session) -> None:
     piece = session.motion[:600]
     assert lm.find_patterns(lm.embody(piece)) == lm.find_patterns(piece)

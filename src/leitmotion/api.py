@@ -17,7 +17,7 @@ from typing import Any
 from leitmotion.body import ROLES, Body, BodyMap, embody, find_roles, map_from
 from leitmotion.datasets import compose_session
 from leitmotion.discovery import Pattern, Patterns
-from leitmotion.features import FeatureSequence, posture
+from leitmotion.features import FEATURES, FeatureSequence, extract
 from leitmotion.features.posture import choose_roles
 from leitmotion.inspection import Info, info
 from leitmotion.io import load, read, read_all, read_annotations, save, write, write_whole
@@ -75,6 +75,7 @@ def find_patterns(
     recording: Recording,
     *,
     method: str = "recurrence",
+    features: str = "posture",
     joints: str | Sequence[str] | None = None,
     exclude: str | Sequence[str] | None = None,
     body_map: Roles | None = None,
@@ -91,6 +92,11 @@ def find_patterns(
         One person.
     method : {"recurrence", "tang2008"}
         How to search: by local alignment, without a parameter to set, or as paper P describes it.
+    features : {"posture", "velocity", "joint_rotations", "marker_posture"}
+        What of a frame is compared (:data:`leitmotion.features.FEATURES`). Posture, velocity and joint rotations are
+        invariant to place, yaw, body size and unit; marker posture, all markers as paper P has them (eq. 1), to place
+        and yaw. What counts as alike is known for posture alone: with others the method "recurrence" needs
+        ``max_distance``, in the values of the feature; ``min_amplitude`` is then a fifth of it, as it is for posture.
     joints : str or sequence of str, optional
         The roles to compare, with wildcards, in one text parted by commas: ``"left_*, head"``. By default those that
         every skeleton has.
@@ -110,7 +116,8 @@ def find_patterns(
     Raises
     ------
     ParameterError
-        When a role, the method or an option of it is unknown.
+        When a role, the method, an option of it or the features are unknown, the features do not describe such a
+        recording, or need a ``max_distance``.
     DataError
         When nothing in the recording tells how large the body is.
 
@@ -121,9 +128,8 @@ def find_patterns(
     >>> patterns = lm.find_patterns(session.motion)                  # doctest: +SKIP
     >>> [(pattern.id, pattern.cycles) for pattern in patterns.patterns]       # doctest: +SKIP
     """
-    from leitmotion.discovery import find_patterns as search
-
-    return search(_postures(_body(recording, body_map), joints, exclude), method=method, **options)
+    described = _described(recording, features, joints, exclude, body_map)
+    return _search(described, features, method=method, **options)
 
 
 def report(
@@ -134,6 +140,7 @@ def report(
     labels_from: str = "",
     patterns: Patterns | None = None,
     source: Mapping[str, object] | None = None,
+    features: str | None = None,
     joints: str | Sequence[str] | None = None,
     exclude: str | Sequence[str] | None = None,
     body_map: Roles | None = None,
@@ -157,6 +164,8 @@ def report(
         What recurs in this recording; by default what :func:`find_patterns` finds.
     source : mapping, optional
         What the page tells about where the recording comes from: "path", "sha256" and the like.
+    features : str, optional
+        As for :func:`find_patterns`; by default those by which the given patterns were found, else posture.
     joints, exclude, body_map
         As for :func:`find_patterns`.
     force : bool
@@ -183,7 +192,6 @@ def report(
     >>> lm.report(lm.read("dance.bvh"), "dance.html")       # doctest: +SKIP
     PosixPath('dance.html')
     """
-    from leitmotion.discovery import find_patterns as search
     from leitmotion.similarity import self_distance
     from leitmotion.view import report_page
 
@@ -193,13 +201,17 @@ def report(
     _check_fits(body, patterns, labels)
     if patterns is not None and options:
         raise ParameterError(f"{min(options)!r} steers a search, but patterns= says what was found.")
-    features = _postures(body, joints, exclude)
-    found = search(features, **options) if patterns is None else patterns
+    name = features or (
+        str(patterns.parameters.get("feature", "posture")) if patterns is not None else "posture"
+    )
+    of_body = name in FEATURES and FEATURES[name].takes is Body
+    described = _described(body if of_body else recording, name, joints, exclude, body_map)
+    found = _search(described, name, **options) if patterns is None else patterns
     facts = {"name": body.name, "frames": len(body), "rate": body.rate, "seconds": len(body) / body.rate}
     page = report_page(
         body,
         found,
-        self_distance(_thinned(features)),
+        self_distance(_thinned(described)),
         source=facts | dict(source or {}),
         labels=labels,
         labels_from=labels_from,
@@ -262,17 +274,54 @@ def _body(recording: Recording, body_map: Roles | None) -> Body:
     return embody(recording, map_from(body_map, recording))
 
 
-def _postures(
-    body: Body, joints: str | Sequence[str] | None, exclude: str | Sequence[str] | None
+def _described(
+    recording: Recording,
+    name: str,
+    joints: str | Sequence[str] | None,
+    exclude: str | Sequence[str] | None,
+    body_map: Roles | None,
 ) -> FeatureSequence:
-    if joints is None and not exclude:
-        return posture(body)
-    wanted = choose_roles(body, None) if joints is None else _matching(joints, body.roles)
-    unwanted = _matching(exclude, (*body.roles, *ROLES)) if exclude else ()
+    """Compute the features of that name, of the joints that were asked for."""
+    if name not in FEATURES or FEATURES[name].takes is Body:
+        body = _body(recording, body_map)
+        roles = _chosen(body.roles, choose_roles(body, None), joints, exclude)
+        return extract(name, body, roles=roles)
+    whole = extract(name, recording, body_map)
+    kept = _chosen(whole.names, whole.names, joints, exclude)
+    if kept == whole.names:
+        return whole
+    values = whole.values.reshape(len(whole), -1, whole.width)[:, [whole.names.index(one) for one in kept]]
+    return whole.replace(values=values.reshape(len(whole), -1), names=kept)
+
+
+def _search(features: FeatureSequence, name: str, *, method: str = "recurrence", **options: Any) -> Patterns:
+    """Search, and note by what; the default distance of recurrence is one of postures in body sizes."""
+    from leitmotion.discovery import find_patterns as search
+
+    if method == "recurrence" and name != "posture":
+        if "max_distance" not in options:
+            raise ParameterError(
+                f"What counts as alike is known for posture, not for {name}.",
+                remedy="Say it with max_distance=, in the values of the features.",
+            )
+        options = {"min_amplitude": options["max_distance"] / 5} | options
+    found = search(features, method=method, **options)
+    by = {"feature": name, "invariant_to": list(features.invariant_to)}
+    return found.replace(parameters=found.parameters | by)
+
+
+def _chosen(
+    known: Sequence[str],
+    usual: tuple[str, ...],
+    joints: str | Sequence[str] | None,
+    exclude: str | Sequence[str] | None,
+) -> tuple[str, ...]:
+    wanted = usual if joints is None else _matching(joints, known)
+    unwanted = _matching(exclude, (*known, *ROLES)) if exclude else ()
     roles = tuple(role for role in wanted if role not in unwanted)
     if not roles:
         raise ParameterError("No joint is left to compare.", remedy="Exclude fewer.")
-    return posture(body, roles=roles)
+    return roles
 
 
 def _matching(names: str | Sequence[str], known: Sequence[str]) -> tuple[str, ...]:
