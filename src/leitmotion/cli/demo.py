@@ -9,7 +9,7 @@ import click
 
 from leitmotion.cli.batch import Answer, answer_each, finish
 from leitmotion.cli.documents import patterns_result
-from leitmotion.cli.finding import search, show_patterns
+from leitmotion.cli.finding import search, show_patterns, warnings_of
 from leitmotion.cli.inputs import Input
 from leitmotion.cli.options import Options, common, examples, force, output, some
 from leitmotion.cli.outputs import check_output
@@ -117,7 +117,7 @@ def _practice(page: Path, options: Options) -> None:
     console.print(
         f"A practice session of {session.motion.duration:.0f} s, composed here, so that the truth is known."
     )
-    show_patterns(console, found, seconds=session.motion.duration)
+    show_patterns(console, found, seconds=session.motion.duration, body=body)
     console.print()
     _show_truth(console, compare(session, found))
     console.print()
@@ -150,9 +150,11 @@ def _recording(data: str, page: Path, options: Options) -> None:
         return Answer(
             source=opened.source,
             result=patterns_result(found),
-            show=lambda console: show_patterns(console, found, seconds=opened.source[0]["seconds"]),
+            show=lambda console: show_patterns(
+                console, found, seconds=opened.source[0]["seconds"], body=opened.body
+            ),
             parameters=found.parameters,
-            warnings=opened.warnings,
+            warnings=warnings_of(opened, found),
         )
 
     finish(answer_each("demo", [data], options, look))

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 from leitmotion.cli.options import Options
 from leitmotion.cli.printing import print_table
 from leitmotion.cli.progress import Progress, compiling_noted
+from leitmotion.cli.recordings import Opened
 
 if TYPE_CHECKING:
     from rich.console import Console
@@ -38,7 +39,14 @@ def search(body: Body, options: Options, progress: Progress) -> Patterns:
         return find_patterns(body, **options.searching)
 
 
-def show_patterns(console: Console, found: Patterns, *, seconds: float) -> None:
+def warnings_of(opened: Opened, found: Patterns) -> list[str]:
+    """List what the person should know about a recording and about how it was compared."""
+    from leitmotion.view.words import as_they_stand
+
+    return [*opened.warnings, *filter(None, [as_they_stand(found, opened.body)])]
+
+
+def show_patterns(console: Console, found: Patterns, *, seconds: float, body: Body) -> None:
     """Print what recurs: the answer in a sentence, then a row for each pattern.
 
     Parameters
@@ -49,11 +57,14 @@ def show_patterns(console: Console, found: Patterns, *, seconds: float) -> None:
         What recurs.
     seconds : float
         Length of the recording.
+    body : Body
+        The person.
     """
     from leitmotion.view.words import clock, lead, looked_for, title
 
     console.print(f"{title(found)}.", style="bold")
-    console.print("".join(piece if isinstance(piece, str) else piece.id for piece in lead(found, seconds)))
+    pieces = lead(found, seconds, body)
+    console.print("".join(piece if isinstance(piece, str) else piece.id for piece in pieces))
     if not found.patterns:
         if found.nearest_miss:
             console.print(found.nearest_miss)

@@ -10,7 +10,7 @@ import click
 
 from leitmotion.cli.batch import Answer, answer_each, finish
 from leitmotion.cli.documents import Document, patterns_result
-from leitmotion.cli.finding import search, show_patterns
+from leitmotion.cli.finding import search, show_patterns, warnings_of
 from leitmotion.cli.inputs import Input
 from leitmotion.cli.options import Options, as_json, common, examples, force, output, takes_inputs
 from leitmotion.cli.outputs import check_output, write_documents, write_figure
@@ -57,9 +57,11 @@ def patterns(inputs: tuple[str, ...], options: Options) -> None:
         return Answer(
             source=opened.source,
             result=patterns_result(found),
-            show=lambda console: show_patterns(console, found, seconds=opened.source[0]["seconds"]),
+            show=lambda console: show_patterns(
+                console, found, seconds=opened.source[0]["seconds"], body=opened.body
+            ),
             parameters={**found.parameters, **opened.parameters},
-            warnings=opened.warnings,
+            warnings=warnings_of(opened, found),
         )
 
     def check(given: Sequence[Input]) -> None:

@@ -11,7 +11,7 @@ import click
 
 from leitmotion.cli.batch import Answer, answer_each, finish
 from leitmotion.cli.documents import patterns_result
-from leitmotion.cli.finding import search
+from leitmotion.cli.finding import search, warnings_of
 from leitmotion.cli.inputs import Input
 from leitmotion.cli.options import Options, as_json, common, examples, force, output, takes_inputs
 from leitmotion.cli.outputs import check_output
@@ -86,7 +86,7 @@ def report(
             result=patterns_result(found) | {"written": str(page)},
             show=lambda console: console.print(f"{title(found)}. Open {page}"),
             parameters={**found.parameters, **opened.parameters},
-            warnings=[*opened.warnings, *notes],
+            warnings=[*warnings_of(opened, found), *notes],
         )
 
     finish(answer_each("report", inputs, options, look, check=check))
