@@ -60,7 +60,7 @@ def test_the_source_tells_the_bytes_and_the_length(run: Run, made: Path) -> None
     assert source["seconds"] == pytest.approx(source["frames"] / 30.0, abs=1e-4)
 
 
-def test_stretches_lie_in_the_recording_and_pairs_in_their_patterns(run: Run, made: Path) -> None:
+def test_stretches_lie_in_the_recording_and_pairs_join_occurrences(run: Run, made: Path) -> None:
     (document,) = documents(run("patterns", made / "jacks.bvh", "--json").stdout)
     frames = document["source"][0]["frames"]
     result = document["result"]
@@ -70,12 +70,25 @@ def test_stretches_lie_in_the_recording_and_pairs_in_their_patterns(run: Run, ma
         occurrences = pattern["occurrences"]
         assert all(0 <= one["start"] < one["stop"] <= frames for one in occurrences)
         assert all(one["stop"] <= other["start"] for one, other in itertools.pairwise(occurrences))
-    known = {pattern["id"]: pattern["stretches"] for pattern in result["patterns"]}
-    for pair in result["pairs"]:
-        for side in (pair["a"], pair["b"]):
-            assert any(
-                s["start"] <= side["start"] and side["stop"] <= s["stop"] for s in known[pair["pattern"]]
-            )
+    known = {pattern["id"]: pattern["occurrences"] for pattern in result["patterns"]}
+    joined = [
+        tuple(_holding(known[pair["pattern"]], pair[side]) for side in ("a", "b")) for pair in result["pairs"]
+    ]
+    assert joined
+    assert all(earlier < later for earlier, later in joined)
+    assert len(set(joined)) == len(joined)
+
+
+def _holding(occurrences: list[dict[str, Any]], side: dict[str, Any]) -> int:
+    """Say which occurrence holds a side of a pair that is at least half of it."""
+    (place,) = [
+        place
+        for place, one in enumerate(occurrences)
+        if one["start"] <= side["start"] and side["stop"] <= one["stop"]
+    ]
+    one = occurrences[place]
+    assert 2 * (side["stop"] - side["start"]) >= one["stop"] - one["start"]
+    return place
 
 
 def test_nothing_found_is_done_and_tells_the_nearest_miss(run: Run, schema: dict[str, Any]) -> None:

@@ -65,7 +65,9 @@ def open_one(given: Input, options: Options, progress: Progress) -> Opened:
         )
     recording = reading.recordings[0]
     told = info(recording, body_map=options.map_entries())
-    misread = [f"{problem.message} {problem.remedy}" for problem in told.problems if problem.what in MISREAD]
+    misread = [
+        f"{problem.message} {problem.remedy}".rstrip() for problem in told.problems if problem.what in MISREAD
+    ]
     return Opened(
         recording=recording,
         body=embody(recording, told.roles),
