@@ -138,6 +138,7 @@ class Patterns(Noun):
 
     def __post_init__(self) -> None:
         check_rate(self)
+        object.__setattr__(self, "parameters", dict(self.parameters))
 
     def __len__(self) -> int:
         return len(self.patterns)
