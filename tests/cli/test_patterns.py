@@ -251,9 +251,23 @@ def test_a_place_that_takes_no_file_is_wrong_usage_before_any_work(run: Run, ver
     Path("taken").touch()
     told = run(verb, "missing.bvh", "-o", f"{place}.{'html' if verb == 'report' else 'json'}")
     assert told.exit_code == 2
-    why = "takes no file" if place.startswith("/proc") else "taken is a file, not a folder"
+    why = "takes no such file" if place.startswith("/proc") else "taken is a file, not a folder"
     assert "cannot be written: " in told.stderr
     assert why in " ".join(told.stderr.split())
+
+
+def test_a_name_that_is_too_long_is_wrong_usage(run: Run) -> None:
+    told = run("patterns", "missing.bvh", "-o", f"{'x' * 250}.csv")
+    assert told.exit_code == 2
+    assert "cannot be written: . takes no such file" in told.stderr
+
+
+def test_the_one_recording_of_a_folder_is_named(run: Run, made: Path) -> None:
+    for name in ("jacks.bvh", "bad.bvh"):
+        Path(name).mkdir()
+        Path(name, "in.bvh").write_bytes((made / name).read_bytes())
+    assert run("patterns", "jacks.bvh").stdout.startswith(f"{Path('jacks.bvh', 'in.bvh')}\nOne movement")
+    assert run("patterns", "bad.bvh").stderr.startswith(f"{Path('bad.bvh', 'in.bvh')}: Error: line 4")
 
 
 def test_looking_whether_a_place_takes_a_file_leaves_nothing_there(run: Run) -> None:

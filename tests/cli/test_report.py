@@ -132,6 +132,19 @@ def test_labels_outside_what_was_read_are_counted(run: Run, made: Path, rows: st
     assert any(f"Not shown: {lost} labels" in warning for warning in document["warnings"])
 
 
+def test_labels_that_cannot_be_read_are_told_before_the_search(
+    run: Run, made: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def searched(*args: object, **options: object) -> None:
+        raise AssertionError("it was searched")
+
+    monkeypatch.setattr("leitmotion.cli.report.search", searched)
+    Path("labels.csv").write_text("when,what\n1,jump\n", encoding="utf-8")
+    told = run("report", made / "jacks.bvh", "--labels", "labels.csv")
+    assert told.exit_code == 1
+    assert "labels.csv, line 1: expected the columns" in told.stderr
+
+
 def test_labels_belong_to_one_recording(run: Run, made: Path) -> None:
     Path("labels.csv").touch()
     told = run("report", made, "--labels", "labels.csv")

@@ -92,16 +92,14 @@ def answer_each(
     with expand(arguments, searched) as inputs, Progress(len(inputs), quiet=options.quiet) as progress:
         if check is not None:
             check(inputs)
+        alone = len(inputs) == 1 and inputs[0].shown in arguments
         for given in inputs:
             try:
                 answer = _look(given, look, progress)
             except _NoRecordingError as left_out:
-                alone = len(inputs) == 1
                 progress.note(_line(given, "Left out, as no recording", str(left_out), alone=alone))
                 continue
-            documents.append(
-                _print(verb, given, answer, options, first=not documents, alone=len(inputs) == 1)
-            )
+            documents.append(_print(verb, given, answer, options, first=not documents, alone=alone))
             progress.step()
         if not documents:
             none = Input(arguments[0], Path(arguments[0]))

@@ -58,15 +58,15 @@ def check_output(path: Path, inputs: Sequence[Input], *, endings: Sequence[str],
 
 def _check_place(path: Path) -> None:
     """Refuse a place where no file can be made, by making one in the folder that is there, and taking it away."""
-    folder = next(folder for folder in path.parents if folder.exists())
-    if not folder.is_dir():
-        raise click.UsageError(f"{path} cannot be written: {folder} is a file, not a folder.")
     try:
-        with tempfile.TemporaryFile(dir=folder):
+        folder = next(folder for folder in path.parents if folder.exists())
+        if not folder.is_dir():
+            raise click.UsageError(f"{path} cannot be written: {folder} is a file, not a folder.")
+        with tempfile.NamedTemporaryFile(prefix=f".{path.name}.", suffix=".part", dir=folder):
             pass
     except OSError as error:
         raise click.UsageError(
-            f"{path} cannot be written: the folder {folder} takes no file ({error.strerror})."
+            f"{path} cannot be written: {path.parent} takes no such file ({error.strerror})."
         ) from None
 
 

@@ -67,9 +67,9 @@ def report(
         from leitmotion.view.words import title
 
         opened = open_one(given, options, progress)
+        lane, notes = (None, []) if labels is None else _read_labels(labels, opened)
         found = search(opened.body, options, progress)
         page = pages[given.shown]
-        lane, notes = (None, []) if labels is None else _read_labels(labels, opened)
         write_page(
             page,
             opened,
