@@ -203,6 +203,14 @@ def test_an_axis_may_bear_either_sign(run: Run, made: Path) -> None:
         assert document["parameters"]["reading"] == {"up": up}
 
 
+def test_an_axis_that_a_plane_has_not_is_told_in_plain_words(run: Run) -> None:
+    rows = "".join(f"{frame / 30:.4f},{frame},{frame},1,2\n" for frame in range(90))
+    Path("flat.csv").write_text(f"time,head_x,head_y,hip_x,hip_y\n{rows}", encoding="utf-8")
+    told = run("patterns", "flat.csv", "--up", "x")
+    assert told.exit_code == 1
+    assert told.stderr == "Error: The vertical of points in a plane is y or -y, got 'x'.\n"
+
+
 @pytest.mark.parametrize("verb", ["patterns", "report"])
 @pytest.mark.parametrize(
     ("options", "note"),

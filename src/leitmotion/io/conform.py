@@ -124,7 +124,7 @@ def _turn(up: str, components: int) -> np.ndarray:
         return np.array(_TO_Y_UP[up], dtype=np.float64)
     if up.endswith("y"):
         return np.diag([1.0, -1.0 if up == "-y" else 1.0])
-    raise ParameterError(f"up of points in a plane must be y or -y, got {up!r}.")
+    raise ParameterError(f"The vertical of points in a plane is y or -y, got {up!r}.")
 
 
 def _motion(take: SkeletonTake, metres: float, turn: np.ndarray, rate: float, name: str) -> Motion:
