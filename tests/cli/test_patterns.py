@@ -203,6 +203,10 @@ def test_an_axis_may_bear_either_sign(run: Run, made: Path) -> None:
         assert document["parameters"]["reading"] == {"up": up}
 
 
+def test_help_lists_every_axis_that_is_taken(run: Run) -> None:
+    assert "points up: x, y, z, -x, -y or -z," in " ".join(run("patterns", "--help").stdout.split())
+
+
 def test_an_axis_that_a_plane_has_not_is_told_in_plain_words(run: Run) -> None:
     rows = "".join(f"{frame / 30:.4f},{frame},{frame},1,2\n" for frame in range(90))
     Path("flat.csv").write_text(f"time,head_x,head_y,hip_x,hip_y\n{rows}", encoding="utf-8")
