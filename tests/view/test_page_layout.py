@@ -54,7 +54,7 @@ def test_wide(page: Any) -> None:
     assert sideways(page) == 0
 
 
-@pytest.mark.parametrize("width", [1101, 1280, 1920])
+@pytest.mark.parametrize("width", [1101, 1280, 1284, 1920])
 def test_no_control_is_cut_off_between_the_widths(open_page: Open, practice: Path, width: int) -> None:
     page = open_page(practice, "t=12", width=width)
     stage = box(page, "#stage-field")
@@ -62,6 +62,11 @@ def test_no_control_is_cut_off_between_the_widths(open_page: Open, practice: Pat
         assert control.bounding_box()["x"] + control.bounding_box()["width"] <= stage["x"] + stage["width"]
     transport = page.locator(".transport").evaluate("(bar) => bar.scrollWidth - bar.clientWidth")
     assert transport == 0
+    hints = box(page, "#hints") or {}
+    for hint in page.locator("#hints > *:visible").all():
+        lies = hint.bounding_box()
+        whole = hints["x"] <= lies["x"] and lies["x"] + lies["width"] <= hints["x"] + hints["width"] + 0.5
+        assert whole or lies["y"] >= hints["y"] + hints["height"]  # the whole hint is there, or none of it
     assert box(page, "#app")["width"] <= 1680
     assert sideways(page) == 0
 
