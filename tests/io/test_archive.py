@@ -113,7 +113,7 @@ def test_the_same_noun_makes_the_same_bytes(tmp_path):
 
 def test_another_noun_is_no_recording(tmp_path):
     path = io.save(SAMPLES["Segmentation-4"], tmp_path / "spans.npz")
-    with pytest.raises(FormatError, match=r"expected a recording, found a Segmentation.*io\.load"):
+    with pytest.raises(FormatError, match=r"expected a recording, found a Segmentation.*leitmotion\.load"):
         io.read(path)
 
 
@@ -233,3 +233,10 @@ def test_the_version_is_in_the_file(tmp_path):
         header = json.loads(box["header"].tobytes())
     assert (header["leitmotion"], header["noun"]) == (1, "leitmotion.motion:Segmentation")
     assert leitmotion.__name__ == "leitmotion"
+
+
+@pytest.mark.parametrize("name", ["q.txt", "q", "q.bvh", "q.npy"])
+def test_an_archive_has_its_own_ending(tmp_path, name):
+    with pytest.raises(ParameterError, match=rf"ends in \.npz, got '{name}'"):
+        io.save(SAMPLES["Segmentation-4"], tmp_path / name)
+    assert not (tmp_path / name).exists()

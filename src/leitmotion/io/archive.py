@@ -49,7 +49,7 @@ def save(noun: Any, path: str | PathLike[str]) -> Path:
     noun : Motion, Trajectories, Segmentation or any other noun
         What to save.
     path : str or path
-        The file, written whole or not at all.
+        The file, ending in ``.npz``; written whole or not at all.
 
     Returns
     -------
@@ -59,7 +59,7 @@ def save(noun: Any, path: str | PathLike[str]) -> Path:
     Raises
     ------
     ParameterError
-        When the value or one of its fields is nothing that an archive holds.
+        When the value or one of its fields is nothing that an archive holds, or the file ends in anything else.
 
     Examples
     --------
@@ -70,6 +70,8 @@ def save(noun: Any, path: str | PathLike[str]) -> Path:
     ...     load(save(steps, pathlib.Path(folder) / "steps.npz")) == steps
     True
     """
+    if Path(path).suffix.lower() != ".npz":
+        raise ParameterError(f"An archive ends in .npz, got {Path(path).name!r}.")
     return write_whole(path, to_bytes(noun))
 
 
@@ -149,7 +151,7 @@ def read(source: Source) -> Draft:
         facts["unit"] = Finding(noun.unit, "read", "stated in the archive")
     else:
         raise source.error(
-            f"expected a recording, found a {type(noun).__name__}.", remedy="Open it with leitmotion.io.load."
+            f"expected a recording, found a {type(noun).__name__}.", remedy="Open it with leitmotion.load."
         )
     return Draft([take], name=noun.name, **facts)  # type: ignore[arg-type]
 
