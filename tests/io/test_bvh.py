@@ -354,3 +354,31 @@ def test_a_real_recording_survives_the_way_out_and_in(data, tmp_path, name, unit
     motion = io.read(f"{data / name}[0:600]")
     reading = assert_comes_back(motion, tmp_path / "clip.bvh", unit=unit)
     assert (reading.findings["unit"].value, reading.warnings) == (unit, ())
+
+
+@pytest.mark.parametrize(
+    ("time", "match"),
+    [
+        ("120", "expected a frame time in seconds, found 120, which looks like the rate.*here --rate 120"),
+        ("33.333", "found 33.333, which looks like milliseconds.*here --rate 30"),
+        ("16.6667", "looks like milliseconds.*--rate 60"),
+        ("8.3333", "looks like milliseconds.*--rate 120"),
+    ],
+)
+def test_a_frame_time_that_is_none_is_refused(tmp_path, time, match):
+    text = PLAIN.replace("0.0083333", time)
+    with pytest.raises(FormatError, match=match):
+        read(tmp_path, text)
+    assert read(tmp_path, text, rate=30).recordings[0].rate == 30
+
+
+@pytest.mark.parametrize(("time", "told"), [("7200", True), ("2", True), ("0.5", False)])
+def test_a_long_frame_time_is_told(tmp_path, time, told):
+    text = PLAIN.replace("0.0083333", time)
+    assert any(f"A frame lasts {time} s" in warning for warning in read(tmp_path, text).warnings) == told
+    assert not any("A frame lasts" in warning for warning in read(tmp_path, text, rate=30).warnings)
+
+
+def test_a_missing_frame_time_shows_both_lines(tmp_path):
+    with pytest.raises(FormatError, match="found 'Frames: 2' and '1 95 3 10"):
+        read(tmp_path, PLAIN.replace("Frame Time: 0.0083333\n", ""))

@@ -271,7 +271,7 @@ def test_markers_nameless_or_never_seen_are_left_out_and_told(tmp_path):
     [
         ("PathFileType", "Path", "PathFileType"),
         ("Frame#\tTime\tHEAD\t\t\tLANK\t\t", "Frame#\tTime", "line 4: expected names of markers"),
-        ("Frame#", "Image", "line 4: expected the columns Frame#"),
+        ("Frame#", "Image", "line 4: expected the columns Frame#.*found 'Image Time HEAD"),
         ("1700\t3.5", "x\t3.5", "line 8: expected a number, found 'x'"),
     ],
 )

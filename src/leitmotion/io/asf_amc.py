@@ -20,7 +20,7 @@ import numpy as np
 from leitmotion.io.asf import Acclaim, find_asf, fixed_axes, read_asf
 from leitmotion.io.files import read_bytes
 from leitmotion.io.numerals import as_bytes, settle
-from leitmotion.io.reading import Draft, Finding, SkeletonTake, Source
+from leitmotion.io.reading import Draft, Finding, SkeletonTake, Source, glimpse
 from leitmotion.motion import rotations
 
 BODYBUILDER = frozenset(
@@ -178,8 +178,7 @@ def _first_frame(source: Source) -> tuple[int, list[str]]:
             labels.append(label)
         elif words and not words[0].startswith((b"#", b":")):
             raise source.fault(
-                position, "the number of the first frame", repr(content[position : position + 40].decode("latin-1")),
-                remedy="Is this an AMC file?",
+                position, "the number of the first frame", glimpse(content[position:end]), remedy="Is this an AMC file?"
             )  # fmt: skip
         position = end + 1
     if start < 0 or not labels:

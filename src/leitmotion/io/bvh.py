@@ -15,14 +15,16 @@ import re
 
 import numpy as np
 
-from leitmotion.io.bvh_hierarchy import Joint, glimpse, read_hierarchy
+from leitmotion.io.bvh_hierarchy import Joint, read_hierarchy
 from leitmotion.io.numerals import read_rows
-from leitmotion.io.reading import Draft, Finding, SkeletonTake, Source
+from leitmotion.io.reading import Draft, Finding, SkeletonTake, Source, glimpse
 from leitmotion.io.units import unit_in_metres
 from leitmotion.motion import Motion, ParameterError, rotations
 
 _NTSC = (24000 / 1001, 30000 / 1001, 60000 / 1001, 120000 / 1001)
+_USUAL = (24, 25, 30, 50, 60, 90, 100, 120, 150, 200, 240, 250, 300, 480, 500, 1000)
 _SNAP = 0.02  # how far, relatively, a rate may lie from the reciprocal of its frame time
+_ROUNDED = 2e-3  # how far, relatively, milliseconds may lie from those of a usual rate
 
 CMU_BVH = frozenset({"lhipjoint", "rhipjoint", "lowerback", "lthumb", "rthumb"})
 """Joints that only the conversions of the CMU archive's own skeleton to BVH have together."""
@@ -63,6 +65,9 @@ def read(source: Source) -> Draft:
         warnings.append(
             f"The header promises {promised} frames, the file has {len(rows.values)}; those it has were read."
         )
+    rate = frame_rate(seconds, source)
+    if source.options.rate is None and rate.value <= 1.0:
+        warnings.append(_doubt(source, seconds, 1.0 / rate.value))
     roots = [k for k, joint in enumerate(joints) if joint.parent < 0]
     takes = [
         _take(joints[first:last], first, rows.values) for first, last in zip(roots, [*roots[1:], len(joints)])
@@ -74,7 +79,7 @@ def read(source: Source) -> Draft:
             "guessed",
             "the joints are those of the CMU archive, in whose unit the body is an adult's",
         )
-    return Draft(takes, rate=frame_rate(seconds, source), unit=unit, warnings=warnings)
+    return Draft(takes, rate=rate, unit=unit, warnings=warnings)
 
 
 def frame_rate(text: str, source: Source) -> Finding:
@@ -129,19 +134,32 @@ def frame_rate(text: str, source: Source) -> Finding:
     return Finding(exact, "read", f"frame time {text} s")
 
 
+def _doubt(source: Source, text: str, seconds: float) -> str:
+    """Say that frames last too long for a movement; refuse where the number is a usual rate, or that in ms."""
+    for rate in _USUAL:
+        hertz = abs(seconds / rate - 1.0) < _ROUNDED
+        if hertz or (rate <= 120 and abs(seconds * rate / 1000.0 - 1.0) < _ROUNDED):
+            raise source.error(
+                f"expected a frame time in seconds, found {text}, which looks like "
+                f"{'the rate' if hertz else 'milliseconds'}.",
+                remedy=f"State the rate with --rate HZ, here --rate {rate}.",
+            )
+    return f"A frame lasts {text} s, longer than a movement's do: if that is not so, state the rate with --rate HZ."
+
+
 def _motion_header(source: Source, position: int) -> tuple[int, str, int]:
     """How many frames are promised, the frame time as written, the byte of the first row."""
     header = re.compile(
         rb"\s*Frames\s*:?\s*(\S+)[^\n]*\n\s*Frame\s*Time\s*:?\s*([^\s]+)[^\n]*(?:\n|$)", re.IGNORECASE
     ).match(source.content, position)
     if header is None:
-        raise source.fault(
-            position, "the lines 'Frames:' and 'Frame Time:'", glimpse(source.content[position:])
-        )
+        lines = [line for line in source.content[position : position + 4000].splitlines() if line.strip()]
+        found = " and ".join(glimpse(line) for line in lines[:2]) or "none"
+        raise source.fault(position, "the lines 'Frames:' and 'Frame Time:'", found)
     try:
         promised = int(float(header[1]))
     except (ValueError, OverflowError):
-        raise source.fault(header.start(1), "a count of frames", repr(header[1].decode("latin-1"))) from None
+        raise source.fault(header.start(1), "a count of frames", glimpse(header[1])) from None
     return promised, header[2].decode("latin-1"), header.end()
 
 

@@ -11,7 +11,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from leitmotion.io.points import distinct
-from leitmotion.io.reading import Source
+from leitmotion.io.reading import Source, glimpse
 
 _CHANNEL = re.compile(r"([xyz])(position|rotation)$", re.IGNORECASE)
 _END = -1  # stands for an end site among the open braces
@@ -67,12 +67,6 @@ def read_hierarchy(source: Source, warnings: list[str]) -> tuple[list[Joint], in
     raise source.error(
         "expected a section MOTION after the hierarchy, found the end: the file was cut short."
     )
-
-
-def glimpse(content: bytes) -> str:
-    """Quote how the first line of a text that holds more than blanks begins."""
-    line = next(iter(content.lstrip()[:160].decode("utf-8", "replace").splitlines()), "")
-    return repr("".join(mark if mark.isprintable() else " " for mark in line[:40]).strip())
 
 
 class _Tree:

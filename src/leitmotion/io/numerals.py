@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from leitmotion.io.reading import Source
+from leitmotion.io.reading import Source, glimpse
 
 MISSING_WORDS = frozenset(
     {
@@ -138,6 +138,6 @@ def settle(source: Source, values: np.ndarray, doubts: np.ndarray, *, missing: b
             number = math.nan
         if not math.isfinite(number):
             if not (missing and token.lower().lstrip(b"+-") in MISSING_WORDS):
-                raise source.fault(start, "a number", repr(token.decode("latin-1")))
+                raise source.fault(start, "a number", glimpse(token))
             number = math.nan
         flat[place] = number

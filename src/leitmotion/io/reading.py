@@ -18,6 +18,12 @@ import numpy as np
 from leitmotion.motion import FormatError, Motion, Trajectories
 
 
+def glimpse(content: bytes) -> str:
+    """Quote how the first line of a text that holds more than blanks begins."""
+    line = next(iter(content[:400].lstrip().decode("utf-8", "replace").splitlines()), "")
+    return repr("".join(mark if mark.isprintable() else " " for mark in line[:40]).strip())
+
+
 @dataclass(frozen=True)
 class Finding:
     """One thing that is known about a recording, and how."""

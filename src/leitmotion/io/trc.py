@@ -13,7 +13,7 @@ import numpy as np
 
 from leitmotion.io.numerals import read_rows
 from leitmotion.io.points import distinct, split_people, unseen_in_origin
-from leitmotion.io.reading import Draft, Finding, Source
+from leitmotion.io.reading import Draft, Finding, Source, glimpse
 from leitmotion.io.timing import Timing, read_times
 from leitmotion.io.units import unit_named
 
@@ -45,7 +45,7 @@ def read(source: Source) -> Draft:
     delimiter = next((mark for mark in "\t,;" if mark in lines[3]), " ")
     cells = [cell.strip() for cell in (lines[3].split() if delimiter == " " else lines[3].split(delimiter))]
     if not cells or not cells[0].lower().startswith("frame"):
-        raise source.fault(borders[3], "the columns Frame#, Time and the markers", repr(lines[3][:40]))
+        raise source.fault(borders[3], "the columns Frame#, Time and the markers", glimpse(lines[3].encode()))
     names = [cell for cell in cells[2:] if cell]
     if not names:
         raise source.fault(borders[3], "names of markers", "none")
@@ -104,7 +104,9 @@ def _first_lines(source: Source) -> tuple[list[str], list[int]]:
         position = stop + 1
         borders.append(position)
     if not lines[0].lstrip("\ufeff").lower().startswith("pathfiletype"):
-        raise source.fault(0, "the word PathFileType", repr(lines[0][:40]), remedy="Is this a TRC file?")
+        raise source.fault(
+            0, "the word PathFileType", glimpse(lines[0].encode()), remedy="Is this a TRC file?"
+        )
     return lines, borders
 
 
