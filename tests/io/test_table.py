@@ -315,3 +315,15 @@ def test_real_trc(data, name, shape, rate, up, low, high):
     heights = markers.positions[..., 1]
     assert low < np.nanmin(heights)
     assert np.nanmax(heights) < high
+
+
+@pytest.mark.data
+@pytest.mark.parametrize(
+    ("name", "rate", "row"), [("a1", 32.05, 1549), ("a3", 30.0, 748), ("b1", 30.0, 892), ("c1", 29.87, 173)]
+)
+def test_real_tables_with_a_leap(data, name, rate, row):
+    reading = io.open_recording(data / "gesture_phase" / f"{name}_raw.csv")
+    (points,) = reading.recordings
+    assert points.rate == pytest.approx(rate, abs=0.01)
+    assert np.isnan(points.positions).all(axis=(1, 2)).sum() / points.rate == pytest.approx(40, abs=0.1)
+    assert any(f"40 s after row {row} " in warning for warning in reading.warnings)
