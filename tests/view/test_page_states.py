@@ -309,6 +309,7 @@ def test_a_name_stands_first_and_stays_in_the_address(open_page: Open, practice:
     page.locator(".lane-head").first.dblclick()
     page.keyboard.type("walk & turn")
     page.keyboard.press("Enter")
+    assert state(page)["pattern"] is None
     assert page.locator(".lane-head strong").first.inner_text() == "walk & turn"
     page.wait_for_timeout(350)
     again = open_page(practice, page.evaluate("location.hash").lstrip("#"))

@@ -166,6 +166,7 @@ function renameLane(p, element) {
   input.addEventListener("keydown", (event) => {
     event.stopPropagation();
     if (event.key === "Enter" || event.key === "Escape") {
+      event.preventDefault(); // else the key would press the lane head that takes the focus
       finish(event.key === "Enter");
       lanes[p].head.focus();
     }
