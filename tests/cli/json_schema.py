@@ -24,7 +24,7 @@ def faults(
     root = schema if root is None else root
     unknown = set(schema) - KNOWN
     if unknown:
-        raise NotImplementedError(f"{at}: the validator does not know {sorted(unknown)}")
+        raise ValueError(f"{at}: the validator does not know {sorted(unknown)}")
     if "$ref" in schema:
         target: Any = root
         for step in schema["$ref"].removeprefix("#/").split("/"):
