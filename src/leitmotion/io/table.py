@@ -69,12 +69,12 @@ def read(source: Source) -> Draft:
         raise source.error("expected a row a frame after the header, found none.")
     left = [word for word in left if word.lower() not in _TIMES + _FRAMES]
     if left:
-        columns = (
+        what = (
             "A column that is no point was"
             if len(left) == 1
             else f"{len(left)} columns that are no points were"
         )
-        warnings.append(f"{columns} left out: {', '.join(left[:8])}{' …' if len(left) > 8 else ''}.")
+        warnings.append(f"{what} left out: {', '.join(left[:8])}{' …' if len(left) > 8 else ''}.")
     names = list(columns)
     again = [name for name in names if f"{name}#2" in columns]
     if again:
