@@ -196,6 +196,8 @@ def test_unknown_methods_and_options_are_refused(found):
     ):
         with pytest.raises(ParameterError, match=next(iter(options))):
             find_patterns(postures, **options)
+    with pytest.raises(ParameterError, match="min_duration_s must be a number, got 'half'"):
+        find_patterns(postures, min_duration_s="half")
 
 
 @pytest.mark.parametrize("method", ["recurrence", "tang2008"])

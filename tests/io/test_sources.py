@@ -326,3 +326,9 @@ def test_mutated_files_give_a_recording_or_a_sentence(data, tmp_path, name, rng)
         path.write_bytes(bytes(changed))
         with contextlib.suppress(LeitmotionError):
             assert io.open_recording(path, rate=30, **options).recordings
+
+
+@pytest.mark.parametrize("source", [3, None, b"clip.bvh"])
+def test_what_is_no_path_is_refused(source):
+    with pytest.raises(ParameterError, match="named by a path"):
+        io.read(source)

@@ -9,6 +9,7 @@ Methods
 from __future__ import annotations
 
 from collections.abc import Callable
+from numbers import Real
 from typing import Any
 
 from leitmotion.discovery.pattern import Patterns
@@ -62,8 +63,12 @@ def find_patterns(features: FeatureSequence, *, method: str = "recurrence", **op
         find = find_patterns_tang2008
     else:
         raise ParameterError(f"method must be one of {', '.join(METHODS)}, got {method!r}.")
-    known = [name for name, p in inspect.signature(find).parameters.items() if p.kind is p.KEYWORD_ONLY]
+    parameters = inspect.signature(find).parameters
+    known = [name for name, p in parameters.items() if p.kind is p.KEYWORD_ONLY]
     unknown = sorted(set(options) - set(known))
     if unknown:
         raise ParameterError(f"method {method!r} has no option {unknown[0]!r}; it has {', '.join(known)}.")
+    for name, value in options.items():
+        if isinstance(parameters[name].default, float) and not isinstance(value, Real):
+            raise ParameterError(f"{name} must be a number, got {value!r}.")
     return find(features, **options)

@@ -148,12 +148,19 @@ def split_window(source: str | PathLike[str]) -> tuple[Path, tuple[str, str] | N
     tuple
         The path, and the two ends as written or None.
 
+    Raises
+    ------
+    ParameterError
+        When the source is no path.
+
     Examples
     --------
     >>> path, window = split_window("clip.bvh[12s:45s]")
     >>> path.name, window
     ('clip.bvh', ('12s', '45s'))
     """
+    if not isinstance(source, str | PathLike):
+        raise ParameterError(f"A recording is named by a path, got {source!r}.")
     text = os.fspath(source)
     match = _WINDOW.match(text)
     if match is None or os.path.exists(text):
