@@ -30,9 +30,9 @@ def cheapest(d: np.ndarray, step: str, *, open_begin: bool, open_end: bool) -> t
 
 def _paths(start: tuple[int, int], last: tuple[int, int], step: str) -> Iterator[tuple[Path, list[int]]]:
     moves, diagonal = PATTERNS[step]
-    todo = [([start], [diagonal])]
-    while todo:
-        path, weights = todo.pop()
+    unfinished = [([start], [diagonal])]
+    while unfinished:
+        path, weights = unfinished.pop()
         yield path, weights
         for move in moves:
             cells, i, j = [], *path[-1]
@@ -40,4 +40,4 @@ def _paths(start: tuple[int, int], last: tuple[int, int], step: str) -> Iterator
                 i, j = i + di, j + dj
                 cells.append((i, j))
             if i <= last[0] and j <= last[1]:
-                todo.append((path + cells, weights + [diagonal if all(m) else 1 for m in move]))
+                unfinished.append((path + cells, weights + [diagonal if all(m) else 1 for m in move]))

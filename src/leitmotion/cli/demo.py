@@ -124,7 +124,7 @@ def _practice(page: Path, options: Options) -> None:
 
 
 def _show_truth(console: Console, rows: list[Row]) -> None:
-    from leitmotion.view.words import clock
+    from leitmotion.view.counting import clock
 
     print_table(
         console,

@@ -60,7 +60,8 @@ def show_patterns(console: Console, found: Patterns, *, seconds: float, body: Bo
     body : Body
         The person.
     """
-    from leitmotion.view.words import clock, lead, looked_for, title
+    from leitmotion.view.counting import clock
+    from leitmotion.view.words import lead, looked_for, title
 
     console.print(f"{title(found)}.", style="bold")
     pieces = lead(found, seconds, body)

@@ -70,7 +70,7 @@ def info(inputs: tuple[str, ...], options: Options) -> None:
 
 
 def _show(console: Console, told: Info) -> None:
-    from leitmotion.view.words import plural
+    from leitmotion.view.counting import plural
 
     held = plural(len(told.names), "joint" if told.kind == "skeleton" else "point")
     held = f"A skeleton of {held}" if told.kind == "skeleton" else f"{held} in {told.dimensions} dimensions"

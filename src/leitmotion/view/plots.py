@@ -18,10 +18,11 @@ from leitmotion.discovery import Pattern, Patterns
 from leitmotion.motion.errors import ParameterError
 from leitmotion.motion.segmentation import Segmentation
 from leitmotion.similarity import SimilarityMatrix
+from leitmotion.view.counting import clock
 from leitmotion.view.distances import Told, distance_cap, how_told
 from leitmotion.view.palette import Theme, colour_of, mixed, theme_named
 from leitmotion.view.stick_figures import Shape, figure_shapes
-from leitmotion.view.words import clock, lane_head
+from leitmotion.view.words import lane_head
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
