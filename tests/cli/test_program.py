@@ -104,9 +104,10 @@ def test_a_module_run_is_the_program() -> None:
 @pytest.mark.skipif(os.name == "nt", reason="signals of POSIX")
 def test_ctrl_c_stops_with_130_and_one_line(tmp_path: Path) -> None:
     slow = (
-        "import sys, time, leitmotion.cli.program as program\n"
+        "import signal, time\n"
         "from leitmotion.cli import info, main\n"
         "def look(*args, **options):\n    print('looking', flush=True)\n    time.sleep(30)\n"
+        "signal.signal(signal.SIGINT, signal.default_int_handler)\n"  # a background job inherits it ignored
         "info.info.callback = look\n"
         "main(['info', 'a.bvh'])"
     )
