@@ -209,10 +209,11 @@ def test_zeros_at_the_end_are_told_and_left_out(tmp_path):
 
 
 def test_every_extension_of_the_table_is_read_or_has_a_remedy():
-    for extension, form in io.EXTENSIONS.items():
+    for extension, forms in io.EXTENSIONS.items():
         assert extension == extension.lower()
         assert extension.startswith(".")
-        assert form.module or form.remedy
+        assert all(form.module or form.remedy for form in forms)
+        assert all(form.looks for form in forms[:-1])
 
 
 @pytest.mark.parametrize("unit", [*METRES, 0.5, "0.5", "Millimeters"])

@@ -3,7 +3,14 @@
 import numpy as np
 import pytest
 
-from leitmotion.motion import Motion, Skeleton, end_site_positions, forward_kinematics, rotations
+from leitmotion.motion import (
+    Motion,
+    Skeleton,
+    end_site_positions,
+    forward_kinematics,
+    joint_points,
+    rotations,
+)
 from leitmotion.motion.kinematics import CHUNK
 from oracles.kinematics import global_pose
 
@@ -91,3 +98,10 @@ def test_end_sites_are_joints_that_do_not_turn(rng):
     )
     expected = forward_kinematics(Motion(longer, positions, quaternions, 120)).positions[:, -2:]
     np.testing.assert_allclose(ends, expected, atol=1e-12)
+
+
+def test_joints_as_points_stand_where_the_pose_places_them(rng):
+    motion = random_motion(rng)
+    points = joint_points(motion)
+    assert (points.names, points.kind, points.rate, points.unit) == (motion.skeleton.names, "joint", 120, "m")
+    np.testing.assert_array_equal(points.positions, forward_kinematics(motion).positions)

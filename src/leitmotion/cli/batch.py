@@ -85,11 +85,10 @@ def answer_each(
     Outcome
         The documents, in order, and whether any is a failure.
     """
-    from leitmotion.io import EXTENSIONS
+    from leitmotion.io.formats import readable
 
-    searched = tuple(ending for ending, form in EXTENSIONS.items() if form.module)
     documents: list[Document] = []
-    with expand(arguments, searched) as inputs, Progress(len(inputs), quiet=options.quiet) as progress:
+    with expand(arguments, readable()) as inputs, Progress(len(inputs), quiet=options.quiet) as progress:
         if check is not None:
             check(inputs)
         alone = len(inputs) == 1 and inputs[0].shown in arguments

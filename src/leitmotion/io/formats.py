@@ -31,10 +31,10 @@ class Format:
     """The module of this room that reads it; empty where it is not read."""
 
     looks: Callable[[bytes], bool] | None = None
-    """Whether a file that begins like this is one, for files whose extension tells nothing."""
+    """Whether a file that begins like this is one, where the extension tells nothing or several formats share it."""
 
-    writes: bool = False
-    """Whether the module has a function ``write(recording, **options) -> bytes`` as well."""
+    writer: str = ""
+    """The module of this room that writes it, ``write(recording, **options) -> bytes``; empty where none does."""
 
     text: bool = False
     """Whether its files are text."""
@@ -49,7 +49,7 @@ class Format:
 
     def write(self, recording: Motion | Trajectories, **options: Any) -> bytes:
         """Make the bytes of a file of this format."""
-        write = _module(self.module).write
+        write = _module(self.writer).write
         known = [name for name, p in inspect.signature(write).parameters.items() if p.kind is p.KEYWORD_ONLY]
         unknown = sorted(set(options) - set(known))
         if unknown:
@@ -71,7 +71,7 @@ def _starts(pattern: bytes) -> Callable[[bytes], bool]:
 
 FORMATS = (
     Format("C3D", (".c3d",), "c3d", lambda head: head[:2] == b"\x02\x50"),
-    Format("BVH", (".bvh",), "bvh", _starts(rb"HIERARCHY\b"), writes=True, text=True),
+    Format("BVH", (".bvh",), "bvh", _starts(rb"HIERARCHY\b"), writer="bvh", text=True),
     Format(
         "AMC",
         (".amc",),
@@ -82,7 +82,11 @@ FORMATS = (
     Format("TRC", (".trc",), "trc", _starts(rb"PathFileType\b"), text=True),
     Format("table", (".csv", ".tsv"), "table", lambda head: _module("table").looks(head), text=True),
     Format(
-        "archive", (".npz",), "archive", lambda head: head.startswith(b"PK\x03\x04header.npy"), writes=True
+        "archive",
+        (".npz",),
+        "archive",
+        lambda head: head.startswith(b"PK\x03\x04header.npy"),
+        writer="archive",
     ),
     Format("ASF", (".asf",), remedy="It holds a skeleton without motion: read the AMC that belongs to it."),
     Format("FBX", (".fbx",), remedy="Save it as BVH, for instance in Blender."),
@@ -105,24 +109,42 @@ FORMATS = (
     Format("video", (".mp4", ".avi", ".mov", ".mkv", ".webm"), remedy="Take the poses from it first."),
 )
 
-EXTENSIONS: dict[str, Format] = {extension: form for form in FORMATS for extension in form.extensions}
-"""Format by extension, in lower case, with the dot."""
+EXTENSIONS: dict[str, tuple[Format, ...]] = {
+    extension: tuple(form for form in FORMATS if extension in form.extensions)
+    for extension in dict.fromkeys(extension for form in FORMATS for extension in form.extensions)
+}
+"""Formats by extension, in lower case, with the dot; of several that share one the last is the usual."""
 
 
 def readable() -> list[str]:
     """Extensions that :func:`leitmotion.io.read` reads."""
-    return [extension for extension, form in EXTENSIONS.items() if form.module]
+    return [extension for extension, forms in EXTENSIONS.items() if any(form.module for form in forms)]
 
 
-def recognise(head: bytes) -> Format | None:
-    """Tell a format by how a file begins, None where nothing fits.
+def writable() -> dict[str, Format]:
+    """Formats that :func:`leitmotion.io.write` writes, by extension."""
+    written = {extension: [form for form in forms if form.writer] for extension, forms in EXTENSIONS.items()}
+    return {extension: forms[-1] for extension, forms in written.items() if forms}
+
+
+def recognise(head: bytes, extension: str = "") -> Format | None:
+    """Tell a format by its extension and by how a file begins, None where nothing fits.
 
     Parameters
     ----------
     head : bytes
         The first kilobytes of a file.
+    extension : str
+        How its name ends, with the dot. One that several formats share chooses among these, the usual one where none
+        looks right; one that no format has tells nothing.
+
+    Returns
+    -------
+    Format or None
+        The format.
     """
-    for form in FORMATS:
-        if form.looks is not None and form.looks(head):
-            return form
-    return None
+    forms = EXTENSIONS.get(extension.lower(), ())
+    if len(forms) == 1:
+        return forms[0]
+    fitting = (form for form in forms or FORMATS if form.looks is not None and form.looks(head))
+    return next(fitting, forms[-1] if forms else None)

@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from leitmotion.io.files import write_whole
-from leitmotion.io.formats import EXTENSIONS
+from leitmotion.io.formats import writable
 from leitmotion.motion import Motion, ParameterError, Trajectories
 
 
@@ -34,11 +34,11 @@ def write(recording: Motion | Trajectories, path: str | PathLike[str], **options
         When the extension is not written, or the recording is of a kind that the format does not hold.
     """
     path = Path(path)
-    form = EXTENSIONS.get(path.suffix.lower())
-    if form is None or not form.writes:
-        written = ", ".join(extension for extension, form in EXTENSIONS.items() if form.writes)
+    forms = writable()
+    form = forms.get(path.suffix.lower())
+    if form is None:
         raise ParameterError(
-            f"Recordings are written as {written}, got {path.suffix or path.name!r}.",
+            f"Recordings are written as {', '.join(forms)}, got {path.suffix or path.name!r}.",
             remedy="Choose one of these extensions.",
         )
     return write_whole(path, form.write(recording, **options))

@@ -13,7 +13,7 @@ from pathlib import Path
 
 from leitmotion.io.conform import conform
 from leitmotion.io.files import read_bytes
-from leitmotion.io.formats import EXTENSIONS, Format, readable, recognise
+from leitmotion.io.formats import Format, readable, recognise
 from leitmotion.io.points import distinct
 from leitmotion.io.reading import Options, Reading, Source
 from leitmotion.motion import DataError, FormatError, Motion, ParameterError, Trajectories
@@ -169,15 +169,13 @@ def split_window(source: str | PathLike[str]) -> tuple[Path, tuple[str, str] | N
 
 
 def _format_of(path: Path, content: bytes) -> Format:
-    form = EXTENSIONS.get(path.suffix.lower())
     head = content[:_HEAD]
     if re.match(rb"\s*<(!doctype html|html|head|body)", head, re.IGNORECASE):
         raise FormatError(
             f"{path.name} is a web page, not a recording.",
             remedy="Download the file itself, not the page about it.",
         )
-    if form is None:
-        form = recognise(head)
+    form = recognise(head, path.suffix)
     if (form is None or form.text) and _is_wide(head[:64]):
         raise FormatError(f"{path.name} is UTF-16 text.", remedy="Save it as UTF-8.")
     if form is None:

@@ -6,7 +6,7 @@ radians, seconds, hertz; right-handed, Y up, facing +Z at rest, +X the person's 
 
 from leitmotion.motion import rotations
 from leitmotion.motion.errors import DataError, FormatError, LeitmotionError, ParameterError
-from leitmotion.motion.kinematics import GlobalPose, end_site_positions, forward_kinematics
+from leitmotion.motion.kinematics import GlobalPose, end_site_positions, forward_kinematics, joint_points
 from leitmotion.motion.motion import Motion
 from leitmotion.motion.segmentation import Segmentation
 from leitmotion.motion.skeleton import Skeleton
@@ -24,5 +24,6 @@ __all__ = [
     "Trajectories",
     "end_site_positions",
     "forward_kinematics",
+    "joint_points",
     "rotations",
 ]

@@ -7,6 +7,7 @@ from typing import NamedTuple
 import numpy as np
 
 from leitmotion.motion.motion import Motion
+from leitmotion.motion.trajectories import Trajectories
 
 CHUNK = 2048  # frames at a time, so that the components of a parent stay in cache
 
@@ -79,6 +80,31 @@ def end_site_positions(motion: Motion, pose: GlobalPose) -> np.ndarray:
 
     on = motion.skeleton.end_parents
     return pose.positions[:, on] + rotate(pose.rotations[:, on], motion.skeleton.end_offsets)
+
+
+def joint_points(motion: Motion) -> Trajectories:
+    """Give the joints of a skeleton as points in the world, for what holds no skeleton.
+
+    Parameters
+    ----------
+    motion : Motion
+        T frames of J joints.
+
+    Returns
+    -------
+    Trajectories
+        J points of kind "joint" under the joints' names, in metres.
+
+    Examples
+    --------
+    >>> from leitmotion.motion import Motion, Skeleton
+    >>> arm = Skeleton(("shoulder", "elbow"), [-1, 0], [[0, 1.4, 0], [0.3, 0, 0]])
+    >>> still = Motion(arm, arm.offsets[None], [[[1.0, 0, 0, 0], [1.0, 0, 0, 0]]], rate=1)
+    >>> joint_points(still).positions[0, 1]
+    array([0.3, 1.4, 0. ])
+    """
+    positions = forward_kinematics(motion).positions
+    return Trajectories(motion.skeleton.names, positions, motion.rate, kind="joint", name=motion.name)
 
 
 def _chain(
