@@ -1,6 +1,6 @@
 """What is a human body: joint roles and name maps, sides, mirror partners, facing, size."""
 
-from leitmotion.body.body import Body, BodyMap
+from leitmotion.body.body import Body, BodyMap, swap_sides
 from leitmotion.body.embody import embody
 from leitmotion.body.mapfile import map_from, map_to_entries
 from leitmotion.body.mapping import find_roles
@@ -18,4 +18,5 @@ __all__ = [
     "map_from",
     "map_to_entries",
     "mirror_role",
+    "swap_sides",
 ]

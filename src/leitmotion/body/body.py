@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from leitmotion.body.roles import mirror_role
+from leitmotion.body.roles import ROLES, mirror_role
 from leitmotion.motion.errors import ParameterError
 from leitmotion.motion.noun import Noun, check_rate, noun, set_array, set_names
 
@@ -45,6 +45,38 @@ class BodyMap(Noun):
         """Name the mirror partner of a role, None where the recording lacks it."""
         partner = mirror_role(role)
         return partner if partner in self.roles else None
+
+
+def swap_sides(body_map: BodyMap) -> BodyMap:
+    """Call left what was called right, and right what was called left.
+
+    Only the names of the sides change place: each pair of roles exchanges its members and its confidence. That is what
+    a file needs whose sides were named the wrong way round; a recording that was mirrored needs its axes turned.
+
+    Parameters
+    ----------
+    body_map : BodyMap
+        Any map.
+
+    Returns
+    -------
+    BodyMap
+        The roles in the order of :data:`leitmotion.body.ROLES`. Swapped twice it is the first again.
+
+    Examples
+    --------
+    >>> found = BodyMap(("head", "left_knee"), (("skull",), ("l_shin",)), (1.0, 0.9))
+    >>> swapped = swap_sides(found)
+    >>> swapped.roles, swapped.members
+    (('head', 'right_knee'), (('skull',), ('l_shin',)))
+    """
+    called = [mirror_role(role) for role in body_map.roles]
+    order = sorted(range(len(called)), key=lambda place: ROLES.index(called[place]))
+    return BodyMap(
+        roles=tuple(called[place] for place in order),
+        members=tuple(body_map.members[place] for place in order),
+        confidence=body_map.confidence[order],
+    )
 
 
 @noun
