@@ -8,6 +8,7 @@ from leitmotion.motion import rotations
 from leitmotion.motion.errors import DataError, FormatError, LeitmotionError, ParameterError
 from leitmotion.motion.kinematics import GlobalPose, end_site_positions, forward_kinematics, joint_points
 from leitmotion.motion.motion import Motion
+from leitmotion.motion.resampling import resample
 from leitmotion.motion.segmentation import Segmentation
 from leitmotion.motion.skeleton import Skeleton
 from leitmotion.motion.trajectories import Trajectories
@@ -25,5 +26,6 @@ __all__ = [
     "end_site_positions",
     "forward_kinematics",
     "joint_points",
+    "resample",
     "rotations",
 ]
