@@ -80,6 +80,7 @@ FORMATS = (
         text=True,
     ),
     Format("TRC", (".trc",), "trc", _starts(rb"PathFileType\b"), text=True),
+    Format("Qualisys TSV", (".tsv",), "qualisys", lambda head: _module("qualisys").looks(head), text=True),
     Format("table", (".csv", ".tsv"), "table", lambda head: _module("table").looks(head), text=True),
     Format(
         "archive",
@@ -105,7 +106,7 @@ FORMATS = (
         (".mot", ".sto"),
         remedy="Its joint angles need their model: save the markers as TRC.",
     ),
-    Format("Qualisys table", (".qtm",), remedy="Save it as C3D."),
+    Format("Qualisys project", (".qtm",), remedy="Export its trajectories as C3D or TSV."),
     Format("video", (".mp4", ".avi", ".mov", ".mkv", ".webm"), remedy="Take the poses from it first."),
 )
 

@@ -109,6 +109,15 @@ def read_rows(
     return Rows(values[:rows], bool(status == _kernels.CUT))
 
 
+def widest_row(content: bytes, delimiter: str) -> int:
+    """Count the cells of the widest row of a text; where blanks divide, those of the first."""
+    mark = None if delimiter == " " else delimiter.encode()
+    lines = content.splitlines()
+    if mark is None:
+        return len(lines[0].split()) if lines else 0
+    return max((line.rstrip(b"\r").count(mark) + 1 for line in lines), default=0)
+
+
 def settle(source: Source, values: np.ndarray, doubts: np.ndarray, *, missing: bool = False) -> None:
     """Convert by ``float`` the tokens that a kernel left in doubt.
 

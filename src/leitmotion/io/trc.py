@@ -11,7 +11,7 @@ import re
 
 import numpy as np
 
-from leitmotion.io.numerals import read_rows
+from leitmotion.io.numerals import read_rows, widest_row
 from leitmotion.io.points import distinct, split_people, unseen_in_origin
 from leitmotion.io.reading import Draft, Finding, Source, glimpse
 from leitmotion.io.timing import Timing, read_times
@@ -57,7 +57,7 @@ def read(source: Source) -> Draft:
             break
         start = stop + 1
     named = 2 + 3 * len(names)
-    columns = max(named, _widest(source.content[start:], delimiter))
+    columns = max(named, widest_row(source.content[start:], delimiter))
     rows = read_rows(source, start, columns, delimiter=delimiter, missing=True)
     if len(rows.values) == 0:
         raise source.error("expected a row a frame after the header, found none.")
@@ -82,15 +82,6 @@ def read(source: Source) -> Draft:
         unit=Finding(unit, "read", f"Units is {facts['units']!r}") if unit else None,
         warnings=warnings,
     )
-
-
-def _widest(content: bytes, delimiter: str) -> int:
-    """Cells of the widest row."""
-    mark = None if delimiter == " " else delimiter.encode()
-    lines = content.splitlines()
-    if mark is None:
-        return len(lines[0].split()) if lines else 0
-    return max((line.rstrip(b"\r").count(mark) + 1 for line in lines), default=0)
 
 
 def _first_lines(source: Source) -> tuple[list[str], list[int]]:
