@@ -1,10 +1,17 @@
 """C3D: three processors and two kinds of storage against a plain writer and against ezc3d on real files."""
 
+import warnings
+
+import c3d
 import ezc3d
 import numpy as np
 import pytest
 
 from leitmotion import io
+from leitmotion.io.c3d import _positions
+from leitmotion.io.c3d_layout import find_layout
+from leitmotion.io.c3d_parameters import read_header
+from leitmotion.io.reading import Source
 from leitmotion.motion import DataError, FormatError
 from oracles.c3d import DEC, INTEL, SGI, c3d_bytes
 
@@ -114,20 +121,35 @@ def test_one_subject_is_taken_off_the_names(tmp_path, walk):
     assert reading.people == ("Ann",)
 
 
-@pytest.mark.parametrize(
-    "parameters",
-    [
-        {"LONG_FRAMES": 70000.0},
+LONG = {
+    "the first block only": ({}, {}),
+    "LONG_FRAMES": ({"LONG_FRAMES": 70000.0}, {}),
+    "FRAMES as a float": ({"FRAMES": 70000.0}, {}),
+    "FRAMES is -1": ({"FRAMES": (-1,)}, {}),
+    "the field's end": (
         {"TRIAL:ACTUAL_START_FIELD": (1, 0), "TRIAL:ACTUAL_END_FIELD": (70000 & 0xFFFF, 1)},
         {},
-    ],
-)
-def test_more_frames_than_the_header_can_count(tmp_path, parameters):
-    places = np.ones((1, 1, 3)) * 100
-    content = c3d_bytes(places, ["HEAD"], scale=0.1, parameters=parameters, header_frames=70000)
-    frame = content[-8:]
-    markers = io.read(put(tmp_path, content + frame * 69999), up="z")
-    assert len(markers) == 70000
+    ),
+    "the field's end alone": ({"TRIAL:ACTUAL_END_FIELD": (70000 & 0xFFFF, 1)}, {}),
+    "the field's end as a float": ({"TRIAL:ACTUAL_END_FIELD": 70000.0}, {}),
+    "wrapped at 16 bits": ({"FRAMES": (70000 & 0xFFFF,)}, {4: 70000 & 0xFFFF}),
+    "FRAMES wrapped only": ({"FRAMES": (70000 & 0xFFFF,)}, {}),
+    "from a later frame on": (
+        {"TRIAL:ACTUAL_START_FIELD": (101, 0), "TRIAL:ACTUAL_END_FIELD": (70100 & 0xFFFF, 1)},
+        {3: 101},
+    ),
+}
+
+
+@pytest.mark.parametrize("pad", [0, 500])
+@pytest.mark.parametrize("how", LONG)
+def test_more_frames_than_the_header_can_count(tmp_path, how, pad):
+    parameters, header = LONG[how]
+    places = np.full((1, 1, 3), 100.0)
+    content = c3d_bytes(places, ["HEAD"], scale=0.1, parameters=parameters, header=header, repeat=70000)
+    reading = io.open_recording(put(tmp_path, content + b"\0" * pad), up="z")
+    assert len(reading.recordings[0]) == 70000
+    assert reading.warnings == ()
 
 
 def test_more_labels_than_one_parameter_holds(tmp_path, walk):
@@ -162,6 +184,14 @@ def test_cut_short_is_one_sentence(tmp_path, walk, cut, match):
         io.read(put(tmp_path, content[:cut]))
 
 
+@pytest.mark.parametrize("promise", [{}, {"LONG_FRAMES": 1e9}, {"FRAMES": 1e9}])
+def test_a_promise_of_countless_frames_reads_those_there_are(tmp_path, walk, promise):
+    content = c3d_bytes(walk, LABELS, header={4: 65535}, parameters=promise)
+    reading = io.open_recording(put(tmp_path, content))
+    assert len(reading.recordings[0]) == len(walk)
+    assert any(warning.endswith("the file holds 12; 12 were read.") for warning in reading.warnings)
+
+
 def test_cut_within_the_data_reads_the_whole_frames(tmp_path, walk):
     reading = io.open_recording(put(tmp_path, c3d_bytes(walk, LABELS)[:-70]))
     assert len(reading.recordings[0]) == 10
@@ -173,3 +203,264 @@ def test_no_rate_asks_for_one(tmp_path, walk):
     with pytest.raises(FormatError, match="--rate"):
         io.read(path)
     assert io.read(path, rate=60).rate == 60
+
+
+def test_data_beyond_the_promised_frames_are_told(tmp_path, walk):
+    reading = io.open_recording(put(tmp_path, c3d_bytes(np.tile(walk, (2, 1, 1)), LABELS, header={4: 12})))
+    np.testing.assert_allclose(reading.recordings[0].positions, y_up(walk), atol=1e-6)
+    assert reading.warnings == ("The header promises 12 frames, the file would hold 24; 12 were read.",)
+
+
+# --- what is said twice, or not at all
+
+
+@pytest.mark.parametrize("scale", [-1.0, 0.1])
+@pytest.mark.parametrize(
+    ("parameters", "header", "told"),
+    [
+        ({"USED": (5,)}, {}, "number of points is 4 in the first block, 5 in POINT:USED; 4 was taken, with which"),
+        ({}, {1: 3}, "number of points is 3 in the first block, 4 in POINT:USED; 4 was taken, with which"),
+        ({"USED": None}, {}, None),
+        ({}, {1: 0}, None),
+        ({"DATA_START": (9,)}, {}, "first block of data is 3 in the first block, 9 in POINT:DATA_START; 3 was"),
+        ({"DATA_START": (3,)}, {8: 4}, "first block of data is 4 in the first block, 3 in POINT:DATA_START; 3 was"),
+        ({"DATA_START": (3,)}, {8: 0}, None),
+        ({"DATA_START": None}, {8: 0}, None),
+        ({"DATA_START": (0,)}, {8: 60000}, None),
+        ({}, {2: 5}, "analog numbers in a frame is 5 in the first block, 2 in ANALOG:USED; 2 was taken, with"),
+        ({"ANALOG:USED": (9,)}, {}, None),
+        ({"SCALE": None}, {}, None),
+        ({"SCALE": 0.0}, {}, None),
+        ({"SCALE": float("nan")}, {}, None),
+        ({}, {6: 0.0}, None),
+        ({"FRAMES": (11,)}, {}, "counts of frames disagree: 120 were read, but POINT:FRAMES 11"),
+        ({"FRAMES": (120,)}, {4: 119}, "counts of frames disagree: 120 were read, but the first block 119"),
+        ({}, {4: 0, 3: 1}, "promises 0 frames, the file holds 120; 120 were read"),
+        ({"FRAMES": (120,)}, {4: 0, 3: 1}, None),
+    ],
+)  # fmt: skip
+def test_the_length_of_the_file_tells_which_of_two_statements_is_true(
+    tmp_path, walk, parameters, header, told, scale
+):
+    walk = np.tile(walk, (10, 1, 1))
+    content = c3d_bytes(walk, LABELS, scale=scale, analog=2, parameters=parameters, header=header)
+    reading = io.open_recording(put(tmp_path, content))
+    np.testing.assert_allclose(reading.recordings[0].positions, y_up(walk), atol=6e-5)
+    if told is None:
+        assert reading.warnings == ()
+    else:
+        assert len(reading.warnings) == 1
+        assert told in reading.warnings[0]
+
+
+@pytest.mark.parametrize(("own", "scale"), [(-0.1, 0.1), (0.1, -0.1)])
+def test_a_scale_of_the_wrong_sign_is_told_by_the_length(tmp_path, own, scale):
+    walk = np.random.default_rng(1).uniform(-900, 900, (40, 4, 3))
+    content = c3d_bytes(walk, LABELS, scale=own, header={6: scale})
+    reading = io.open_recording(put(tmp_path, content), up="z")
+    np.testing.assert_allclose(reading.recordings[0].positions, y_up(walk), atol=6e-5)
+    assert any("way of storing numbers" in warning for warning in reading.warnings)
+
+
+def test_two_scales_are_told_and_the_parameter_taken(tmp_path, walk):
+    reading = io.open_recording(put(tmp_path, c3d_bytes(walk, LABELS, scale=0.1, header={6: 0.2})), up="z")
+    np.testing.assert_allclose(reading.recordings[0].positions, y_up(walk), atol=6e-5)
+    said = "0.2 in the first block, 0.1 in POINT:SCALE; 0.1 was taken"
+    assert any(said in warning for warning in reading.warnings)
+
+
+def test_whole_numbers_without_a_scale_are_taken_as_they_are(tmp_path):
+    walk = np.random.default_rng(1).integers(-900, 900, (70, 4, 3)) * 1.0
+    content = c3d_bytes(walk, LABELS, scale=1.0, header={6: 0.0}, parameters={"SCALE": None})
+    reading = io.open_recording(put(tmp_path, content), up="z")
+    np.testing.assert_allclose(reading.recordings[0].positions, y_up(walk), atol=1e-9)
+    assert any("states no scale" in warning for warning in reading.warnings)
+
+
+@pytest.mark.parametrize(
+    ("stated", "header", "rate", "told"),
+    [
+        (119.88, 119.88, 119.88, False),
+        (None, 60.0, 60.0, False),
+        (0.0, 60.0, 60.0, False),
+        (float("nan"), 60.0, 60.0, False),
+        (-1.0, 60.0, 60.0, False),
+        (100.0, 0.0, 100.0, False),
+        (100.0, float("nan"), 100.0, False),
+        (100.0, 50.0, 100.0, True),
+    ],
+)
+def test_the_rate_by_parameter_and_first_block(tmp_path, walk, stated, header, rate, told):
+    path = put(tmp_path, c3d_bytes(walk, LABELS, parameters={"RATE": stated}, header={10: header}))
+    reading = io.open_recording(path)
+    assert reading.recordings[0].rate == rate
+    assert any("Hz in POINT:RATE and" in warning for warning in reading.warnings) == told
+    assert io.open_recording(path, rate=25).warnings == ()
+
+
+@pytest.mark.parametrize(
+    ("units", "unit", "how", "told"),
+    [
+        (["mm"], "mm", "read", False),
+        (["  mm  "], "mm", "read", False),
+        (["Millimeters"], "mm", "read", False),
+        (["mm", "deg", "N"], "mm", "read", False),
+        (["m"], "m", "read", False),
+        ([""], "mm", "guessed", False),
+        ([], "mm", "guessed", False),
+        (["furlong"], "mm", "guessed", True),
+    ],
+)
+def test_units_as_they_are_spelled(tmp_path, walk, units, unit, how, told):
+    reading = io.open_recording(put(tmp_path, c3d_bytes(walk, LABELS, parameters={"UNITS": units})))
+    assert (reading.findings["unit"].value, reading.findings["unit"].how) == (unit, how)
+    assert any("'furlong', which names no unit" in warning for warning in reading.warnings) == told
+
+
+# --- the section of parameters
+
+
+@pytest.mark.parametrize("locked", [False, True])
+@pytest.mark.parametrize("order", [None, lambda name: (":" not in name, name), lambda name: name[::-1]])
+def test_parameters_in_any_order_and_locked_say_the_same(tmp_path, walk, order, locked):
+    content = c3d_bytes(walk, LABELS, order=order, locked=locked)
+    assert io.open_recording(put(tmp_path, content)).recordings[0] == io.read(
+        put(tmp_path, c3d_bytes(walk, LABELS))
+    )
+
+
+@pytest.mark.parametrize(
+    "tail",
+    [b"\x05\x01\x01\x02\x03\x04\x05", b"\x05\x01WRONG\xff\xff\x04\x01\xff", b"\x7f\x01" + b"A" * 127],
+    ids=["no name", "a link to nowhere", "no end"],
+)
+def test_what_stands_before_the_damage_is_read(tmp_path, walk, tail):
+    reading = io.open_recording(put(tmp_path, c3d_bytes(walk, LABELS, tail=tail)))
+    assert reading.recordings[0].names == tuple(LABELS)
+    np.testing.assert_allclose(reading.recordings[0].positions, y_up(walk), atol=1e-6)
+
+
+def test_damaged_parameters_are_told_and_the_points_numbered(tmp_path, walk):
+    content = bytearray(c3d_bytes(walk, LABELS))
+    place = content.index(b"LABELS") + len("LABELS") + 2
+    content[place : place + 2] = b"\x77\x09"  # of an unknown kind, in nine dimensions
+    reading = io.open_recording(put(tmp_path, bytes(content)), unit="mm", up="z")
+    assert reading.recordings[0].names == ("point1", "point2", "point3", "point4")
+    assert [warning[:25] for warning in reading.warnings] == [
+        "The parameters are damage",
+        "4 of 4 points have no lab",
+    ]
+
+
+def test_any_damage_to_the_parameters_is_a_reading_or_a_sentence(tmp_path, walk, rng):
+    whole = c3d_bytes(walk, LABELS, parameters={"SUBJECTS:USES_PREFIXES": (0,)})
+    for _ in range(150):
+        content = bytearray(whole)
+        for place in rng.integers(0, 1024, 6):
+            content[place] = rng.integers(0, 256)
+        try:
+            reading = io.open_recording(put(tmp_path, bytes(content)))
+        except FormatError as error:
+            sentence = str(error)
+        else:
+            sentence = f"{len(reading.recordings)} read"
+        assert sentence == "1 read" or sentence.startswith("trial.c3d: expected")
+
+
+def test_points_beyond_the_labels_are_numbered_and_told(tmp_path, walk):
+    reading = io.open_recording(put(tmp_path, c3d_bytes(walk, LABELS[:2])))
+    assert reading.recordings[0].names == ("HEAD", "LANK", "point3", "point4")
+    assert reading.warnings == ("2 of 4 points have no label in the file; they are called by number.",)
+
+
+def test_labels_hold_any_language(tmp_path, walk):
+    labels = ["Kopf", "Fuß", "頭", "нога"]
+    assert io.read(put(tmp_path, c3d_bytes(walk, labels))).names == tuple(labels)
+    latin = c3d_bytes(walk, ["Kopf", "Fu~", "x", "y"]).replace(b"Fu~", "Fuß".encode("latin-1"))
+    assert io.read(put(tmp_path, latin)).names[1] == "Fuß"
+
+
+def test_subjects_whose_prefixes_end_in_no_colon_are_people(tmp_path, walk):
+    labels = ["Ann_HEAD", "Ann_LANK", "Bob_HEAD", "Bob_LANK"]
+    subjects = {"SUBJECTS:NAMES": ["Ann", "Bob"], "SUBJECTS:LABEL_PREFIXES": ["Ann_", "Bob_"]}
+    path = put(tmp_path, c3d_bytes(walk, labels, parameters={**subjects, "SUBJECTS:USES_PREFIXES": (1,)}))
+    assert io.open_recording(path).people == ("Ann", "Bob")
+    path = put(tmp_path, c3d_bytes(walk, labels, parameters={**subjects, "SUBJECTS:USES_PREFIXES": (0,)}))
+    assert io.read(path).names == tuple(labels)
+
+
+def test_events_change_nothing(tmp_path, walk):
+    events = {
+        "EVENT:USED": (1,),
+        "EVENT:LABELS": ["Foot Strike"],
+        "EVENT:TIMES": (0, 1),
+        "EVENT_CONTEXT:USED": (1,),
+    }
+    assert io.open_recording(put(tmp_path, c3d_bytes(walk, LABELS, parameters=events))).recordings == (
+        io.read(put(tmp_path, c3d_bytes(walk, LABELS))),
+    )
+
+
+def test_a_point_of_which_one_coordinate_is_missing_is_unseen(tmp_path, walk):
+    walk[2, 1, 2] = np.nan
+    markers = io.read(put(tmp_path, c3d_bytes(walk, LABELS)))
+    assert np.isnan(markers.positions[2, 1]).all()
+    assert np.isnan(markers.positions).sum() == 3
+
+
+# --- twins
+
+
+def by_ezc3d(path):
+    theirs = ezc3d.c3d(str(path))
+    points = theirs["data"]["points"][:3].transpose(2, 1, 0)
+    return points, theirs["parameters"]["POINT"]["RATE"]["value"][0]
+
+
+def by_c3d(path):
+    with warnings.catch_warnings(), path.open("rb") as file:
+        warnings.simplefilter("ignore")
+        reader = c3d.Reader(file)
+        frames = np.array([points for _, points, _ in reader.read_frames()])
+    return np.where(frames[..., 3:4] < 0, np.nan, frames[..., :3]), reader.point_rate
+
+
+FILES = {
+    "btk/Dance": [by_c3d],
+    "btk/Dec_real": [by_c3d, by_ezc3d],
+    "btk/Eb015pr": [by_c3d, by_ezc3d],
+    "btk/Gait": [by_c3d, by_ezc3d],
+    "btk/PiG_Motion3_FF": [by_c3d, by_ezc3d],
+    "btk/golfswing": [by_c3d],
+    "btk/pc_int": [by_c3d, by_ezc3d],
+    "btk/sgi_int": [by_c3d],
+    "pycgm/Movement_trial": [by_c3d, by_ezc3d],
+}
+"""By which public readers each recording can be read; ezc3d refuses those of SGI and of integers in an OFFSET."""
+
+
+@pytest.mark.data
+@pytest.mark.parametrize(("name", "theirs"), [(name, reader) for name in FILES for reader in FILES[name]])
+def test_all_points_of_real_files_are_those_of_the_public_readers(data, name, theirs):
+    path = data / f"{name}.c3d"
+    source = Source(path, path.read_bytes())
+    header = read_header(source)
+    layout = find_layout(source, header, [])
+    points = _positions(source, header, layout, list(range(layout.points)))
+    expected, rate = theirs(path)
+    assert points.shape == expected.shape
+    unseen = np.isnan(expected).any(axis=-1)
+    np.testing.assert_array_equal(np.isnan(points), np.repeat(unseen[..., None], 3, axis=-1))
+    np.testing.assert_allclose(points, expected, rtol=1e-6, atol=1e-5)
+    assert io.read(path).rate == pytest.approx(rate, rel=1e-6)
+
+
+@pytest.mark.data
+@pytest.mark.parametrize("name", FILES)
+def test_labels_are_those_of_the_public_reader(data, name):
+    path = data / f"{name}.c3d"
+    with path.open("rb") as file, warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        labels = [label.strip() for label in c3d.Reader(file).point_labels]
+    source = Source(path, path.read_bytes())
+    assert read_header(source).texts("POINT", "LABELS") == labels

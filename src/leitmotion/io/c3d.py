@@ -2,7 +2,8 @@
 
 Whole and float storage of all three processors. A point whose residual is negative was not seen. Points that a model
 computed (angles, forces, moments, powers, segment axes) are no markers and are left out, and so are trajectories
-without a label; the warnings count both. Labels ``SUBJECT:NAME`` tell several people apart.
+without a label; the warnings count both. Labels ``SUBJECT:NAME`` tell several people apart. Of a file that Leitmotion
+wrote everything is kept as it was.
 
 References
 ----------
@@ -15,14 +16,19 @@ import re
 
 import numpy as np
 
-from leitmotion.io.c3d_parameters import BLOCK, Header, read_header
+from leitmotion.io.c3d_layout import Layout, find_layout
+from leitmotion.io.c3d_parameters import Header, read_header
 from leitmotion.io.points import distinct, split_people, unseen_in_origin
-from leitmotion.io.reading import Draft, Finding, Source
+from leitmotion.io.reading import Draft, Finding, PointTake, Source
 from leitmotion.io.units import unit_named
 
 _COMPUTED = ("ANGLES", "FORCES", "MOMENTS", "POWERS", "SCALARS", "REACTIONS", "MODELED_MARKERS")
 _AXES = "OALP"  # last letters of the four points by which Plug-in Gait stores a segment's axes
-_FULL = 65535  # the largest frame number a header holds
+_NO_LENGTHS = ("px", "relative")  # words for units of points that are not in metres
+_CHUNK = 1 << 17  # numbers at a time, so that what lies between the file and the positions stays small
+
+OURS = "Leitmotion"
+"""What MANUFACTURER:SOFTWARE is in the files that :mod:`leitmotion.io.c3d_writing` makes."""
 
 
 def read(source: Source) -> Draft:
@@ -45,93 +51,54 @@ def read(source: Source) -> Draft:
     """
     header = read_header(source)
     warnings: list[str] = []
-    positions = _positions(source, header, warnings)
-    labels = header.texts("POINT", "LABELS")[: header.points]
-    labels += [""] * (header.points - len(labels))
-    kept = _markers(header, labels, warnings)
+    if header.damaged:
+        warnings.append("The parameters are damaged: those that could be read were used.")
+    layout = find_layout(source, header, warnings)
+    labels = header.texts("POINT", "LABELS")[: layout.points]
+    ours = header.texts("MANUFACTURER", "SOFTWARE") == [OURS]
+    kept = list(range(layout.points)) if ours else _markers(header, layout, labels, warnings)
     if not kept:
         raise source.error("expected labelled markers, found computed or unlabelled points only.")
-    names = distinct([labels[k] or f"point{k + 1}" for k in kept], warnings)
-    takes = split_people(names, positions if len(kept) == header.points else positions[:, kept])
+    names = _names(labels, kept, warnings)
+    positions = _positions(source, header, layout, kept)
+    if ours:
+        kind = "joint" if header.texts("POINT", "DESCRIPTIONS")[:1] == ["joint"] else "marker"
+        takes = [PointTake(distinct(names, warnings), positions, kind)]
+    else:
+        names = distinct(_by_subject(header, names), warnings)
+        takes = split_people(names, unseen_in_origin(positions, warnings))
     return Draft(
         takes,
-        rate=_rate(source, header),
-        unit=_unit(header),
+        rate=_rate(source, header, warnings),
+        unit=_unit(header, warnings),
         up=_up(header),
-        up_may_err=True,
+        up_may_err=not ours,
         warnings=warnings,
     )
 
 
-def _positions(source: Source, header: Header, warnings: list[str]) -> np.ndarray:
-    """Places of all points (T, P, 3) in the file's unit, NaN where unseen."""
-    if header.points == 0:
-        raise source.error("expected points, found analog channels only.")
-    width = 4 * header.points + header.analog
-    size = 4 if header.scale < 0 else 2
-    block = header.data_block or int(header.number("POINT", "DATA_START") or 0)
-    start = (block - 1) * BLOCK
-    if start < BLOCK:
-        raise source.error(f"expected its data after the parameters, found them said to be in block {block}.")
-    fit = max(0, len(source.content) - start) // (width * size)
-    frames = _frames(header, fit, warnings)
-    if frames < 1:
-        raise source.error("expected at least one whole frame, found the end of the file: it was cut short.")
-    data = memoryview(source.content)[start : start + frames * width * size]
-    machine = header.machine
-    if size == 2:
-        table = machine.integers(data).reshape(frames, width)[:, : 4 * header.points]
-        scale = header.scale or header.number("POINT", "SCALE") or 1.0
-    else:
-        table = machine.floats(data).reshape(frames, width)[:, : 4 * header.points]
-        scale = 1.0
-    quads = table.reshape(frames, header.points, 4)
-    with np.errstate(invalid="ignore", over="ignore"):  # a float may hold any bits
-        positions = np.multiply(quads[..., :3], scale, dtype=np.float64)
-        unseen = quads[..., 3] < 0
-    if unseen.any():
-        positions[unseen] = np.nan
-    return unseen_in_origin(positions, warnings)
+def _positions(source: Source, header: Header, layout: Layout, kept: list[int]) -> np.ndarray:
+    """Places of the points kept, (T, P, 3), in the file's unit, NaN where unseen."""
+    positions = np.empty((layout.frames, len(kept), 3))
+    decode = header.machine.integers if layout.size == 2 else header.machine.floats
+    every = len(kept) == layout.points
+    step = max(1, _CHUNK // layout.width)
+    stride = layout.width * layout.size
+    data = memoryview(source.content)[layout.start : layout.start + layout.frames * stride]
+    for first in range(0, layout.frames, step):
+        table = decode(data[first * stride : (first + step) * stride]).reshape(-1, layout.width)
+        quads = table[:, : 4 * layout.points].reshape(len(table), layout.points, 4)
+        quads = quads if every else quads[:, kept]
+        places = positions[first : first + step]
+        with np.errstate(invalid="ignore", over="ignore"):  # a float may hold any bits
+            np.multiply(quads[..., :3], layout.scale, out=places, dtype=np.float64)
+            unseen = (quads[..., 3] < 0) | np.isnan(places[..., 0] + places[..., 1] + places[..., 2])
+        if unseen.any():
+            places[unseen] = np.nan
+    return positions
 
 
-def _frames(header: Header, fit: int, warnings: list[str]) -> int:
-    """How many frames there are: the header's count holds no more than 65,535, so others may overrule it."""
-    counts = {"the first block": header.last - header.first + 1}
-    long = header.number("POINT", "LONG_FRAMES")
-    if long is not None:
-        counts["POINT:LONG_FRAMES"] = int(long)
-    stated = header.number("POINT", "FRAMES")
-    if stated is not None:
-        counts["POINT:FRAMES"] = int(stated) & _FULL if stated < 0 else int(stated)
-    ends = [_wide(header, name) for name in ("ACTUAL_START_FIELD", "ACTUAL_END_FIELD")]
-    if ends[0] is not None and ends[1] is not None:
-        counts["TRIAL:ACTUAL_END_FIELD"] = ends[1] - ends[0] + 1
-    full = header.last >= _FULL or counts.get("POINT:FRAMES") == _FULL
-    frames = max(counts.values()) if full else counts["the first block"]
-    if full and frames <= _FULL < fit:
-        frames = fit  # nothing in the file counts further, but its data go on
-    if not 1 <= frames <= fit:
-        possible = [count for count in counts.values() if 1 <= count <= fit]
-        taken = max(possible) if possible else fit
-        warnings.append(f"The header promises {frames} frames, the file holds {fit}; {taken} were read.")
-        return taken
-    others = {where: count for where, count in counts.items() if count != frames and count != _FULL}
-    if others and not full:
-        said = ", ".join(f"{where} {count}" for where, count in others.items())
-        warnings.append(f"The counts of frames disagree: {frames} were read, but {said} is stated as well.")
-    return frames
-
-
-def _wide(header: Header, name: str) -> int | None:
-    """A frame number in two 16-bit words."""
-    words = header.parameters.get(("TRIAL", name))
-    if not isinstance(words, np.ndarray) or words.size == 0:
-        return None
-    words = words.reshape(-1).astype(np.int64) & _FULL
-    return int(words[0] + (words[1] << 16 if words.size > 1 else 0))
-
-
-def _markers(header: Header, labels: list[str], warnings: list[str]) -> list[int]:
+def _markers(header: Header, layout: Layout, labels: list[str], warnings: list[str]) -> list[int]:
     """Which points are markers with a label of their own."""
     groups = {word.upper() for word in header.texts("POINT", "TYPE_GROUPS")[::2]} | set(_COMPUTED)
     computed = {label for group in groups for label in header.texts("POINT", group)}
@@ -151,31 +118,67 @@ def _markers(header: Header, labels: list[str], warnings: list[str]) -> list[int
     if unlabelled:
         warnings.append(f"{len(unlabelled)} trajectories without a label were left out.")
     dropped = set(derived) | set(unlabelled)
-    return [k for k in range(len(labels)) if k not in dropped]
+    return [k for k in range(layout.points) if k not in dropped]
 
 
-def _rate(source: Source, header: Header) -> Finding:
-    stated = header.number("POINT", "RATE")
-    for rate, where in ((stated, "POINT:RATE"), (header.rate, "the first block")):
-        if rate is not None and np.isfinite(rate) and rate > 0:
-            return Finding(float(rate), "read", f"stated in {where}")
-    if source.options.rate is None:
-        raise source.error("expected a rate above 0 Hz, found none.", remedy="State it with --rate HZ.")
-    return Finding(source.options.rate, "given", "rate given by the caller")
+def _names(labels: list[str], kept: list[int], warnings: list[str]) -> list[str]:
+    """The labels of the points kept; those without one are called by their number."""
+    names = [labels[k] if k < len(labels) and labels[k] else f"point{k + 1}" for k in kept]
+    numbered = sum(k >= len(labels) or not labels[k] for k in kept)
+    if numbered:
+        warnings.append(
+            f"{numbered} of {len(kept)} points have no label in the file; they are called by number."
+        )
+    return names
 
 
-def _unit(header: Header) -> Finding | None:
-    for word in header.texts("POINT", "UNITS"):
-        unit = unit_named(word)
+def _by_subject(header: Header, names: list[str]) -> list[str]:
+    """Names as ``SUBJECT:NAME`` where the subjects' prefixes end in another mark than a colon."""
+    prefixes = [word for word in header.texts("SUBJECTS", "LABEL_PREFIXES") if word.rstrip(":")]
+    if not header.number("SUBJECTS", "USES_PREFIXES"):
+        return names
+    for prefix in sorted(prefixes, key=len, reverse=True):
+        subject = prefix.rstrip(":_-. ")
+        names = [
+            f"{subject}:{name[len(prefix) :]}" if ":" not in name and name.startswith(prefix) else name
+            for name in names
+        ]
+    return names
+
+
+def _rate(source: Source, header: Header, warnings: list[str]) -> Finding:
+    said = {"POINT:RATE": header.number("POINT", "RATE"), "the first block": float(str(header.rate))}
+    rates = {
+        where: rate for where, rate in said.items() if rate is not None and np.isfinite(rate) and rate > 0
+    }
+    if not rates:
+        if source.options.rate is None:
+            raise source.error("expected a rate above 0 Hz, found none.", remedy="State it with --rate HZ.")
+        return Finding(source.options.rate, "given", "rate given by the caller")
+    where, rate = next(iter(rates.items()))
+    if max(rates.values()) > 1.001 * min(rates.values()) and source.options.rate is None:
+        warnings.append(
+            f"The rate is {rates['POINT:RATE']:g} Hz in POINT:RATE and {rates['the first block']:g} Hz in the first "
+            "block; the former was taken: if it is wrong, state the rate with --rate HZ."
+        )
+    return Finding(rate, "read", f"stated in {where}")
+
+
+def _unit(header: Header, warnings: list[str]) -> Finding | None:
+    words = [word for word in header.texts("POINT", "UNITS") if word]
+    for word in words:
+        unit = word if word in _NO_LENGTHS else unit_named(word)
         if unit:
             return Finding(unit, "read", f"POINT:UNITS is {word!r}")
+    if words:
+        warnings.append(f"POINT:UNITS is {words[0]!r}, which names no unit of length that is known here.")
     return None
 
 
 def _up(header: Header) -> Finding | None:
     """The vertical of the screen is the vertical of the room."""
     for word in header.texts("POINT", "Y_SCREEN"):
-        match = re.fullmatch(r"([+-]?)([XYZxyz])", word)
+        match = re.fullmatch(r"([+-]?)\s*([XYZxyz])", word)
         if match:
             return Finding(
                 match[1].replace("+", "") + match[2].lower(), "read", f"POINT:Y_SCREEN is {word!r}"

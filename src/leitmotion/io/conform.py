@@ -15,6 +15,8 @@ from leitmotion.motion import Motion, ParameterError, Skeleton, Trajectories
 IMAGE_UNITS = ("px", "relative")
 """Units of points that are not in metres and stay as they are."""
 
+_CHUNK = 512  # frames that are converted at a time
+
 _TO_Y_UP = {
     "y": ((1, 0, 0), (0, 1, 0), (0, 0, 1)),
     "z": ((1, 0, 0), (0, 0, 1), (0, -1, 0)),
@@ -142,7 +144,12 @@ def _motion(take: SkeletonTake, metres: float, turn: np.ndarray, rate: float, na
 def _trajectories(
     take: PointTake, metres: float, turn: np.ndarray, unit: str, rate: float, name: str
 ) -> Trajectories:
-    positions = take.positions if metres == 1.0 else take.positions * metres
-    if not np.array_equal(turn, np.eye(len(turn))):
-        positions = positions @ turn.T
+    positions = take.positions if take.positions.flags.writeable else take.positions.copy()
+    turned = not np.array_equal(turn, np.eye(len(turn)))
+    for start in range(0, len(positions), _CHUNK):  # in place: of a long recording there is no second copy
+        chunk = positions[start : start + _CHUNK]
+        chunk *= metres
+        if turned:
+            chunk[...] = chunk @ turn.T
+    positions.flags.writeable = False
     return Trajectories(tuple(take.names), positions, rate, unit, take.kind, take.confidence, name)
