@@ -70,7 +70,7 @@ def _starts(pattern: bytes) -> Callable[[bytes], bool]:
 
 
 FORMATS = (
-    Format("C3D", (".c3d",), "c3d", lambda head: head[:2] == b"\x02\x50"),
+    Format("C3D", (".c3d",), "c3d", lambda head: head[:2] == b"\x02\x50", writer="c3d_writing"),
     Format("BVH", (".bvh",), "bvh", _starts(rb"HIERARCHY\b"), writer="bvh", text=True),
     Format(
         "AMC",
