@@ -80,6 +80,9 @@ FORMATS = (
         text=True,
     ),
     Format("TRC", (".trc",), "trc", _starts(rb"PathFileType\b"), text=True),
+    Format(
+        "OpenSim MOT", (".mot", ".sto"), "opensim", lambda head: _module("opensim").looks(head), text=True
+    ),
     Format("Qualisys TSV", (".tsv",), "qualisys", lambda head: _module("qualisys").looks(head), text=True),
     Format("table", (".csv", ".tsv"), "table", lambda head: _module("table").looks(head), text=True),
     Format(
@@ -101,11 +104,6 @@ FORMATS = (
         remedy="Save the points as CSV with the columns time, NAME_x, NAME_y, NAME_z.",
     ),
     Format("NumPy array", (".npy",), remedy="Save it as CSV with the columns time, NAME_x, NAME_y, NAME_z."),
-    Format(
-        "OpenSim motion",
-        (".mot", ".sto"),
-        remedy="Its joint angles need their model: save the markers as TRC.",
-    ),
     Format("Qualisys project", (".qtm",), remedy="Export its trajectories as C3D or TSV."),
     Format("video", (".mp4", ".avi", ".mov", ".mkv", ".webm"), remedy="Take the poses from it first."),
 )
