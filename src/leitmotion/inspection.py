@@ -108,6 +108,7 @@ def info(
     up: str | None = None,
     rate: float | None = None,
     person: str | int | None = None,
+    trust: bool = False,
     body_map: BodyMap | Mapping[str, str | list[str]] | None = None,
 ) -> Info:
     """Tell what a recording holds, how each fact is known, and what is wrong with it.
@@ -116,7 +117,7 @@ def info(
     ----------
     source : path, text or recording
         A file, a file with a window (``"dance.bvh[12s:45s]"``), or a recording that is already read.
-    skeleton, unit, up, rate, person
+    skeleton, unit, up, rate, person, trust
         As for :func:`leitmotion.read`; they count for files only.
     body_map : BodyMap or mapping of str, optional
         Which joints or markers stand for which role, when the names do not tell.
@@ -146,7 +147,9 @@ def info(
         return _describe(source, Reading((source,), {}, (), Path(source.name)), body_map)
     if not isinstance(source, str | Path):
         raise ParameterError(f"A file or a recording was expected, got {type(source).__name__}.")
-    reading = open_recording(source, skeleton=skeleton, unit=unit, up=up, rate=rate, person=person)
+    reading = open_recording(
+        source, skeleton=skeleton, unit=unit, up=up, rate=rate, person=person, trust=trust
+    )
     return _describe(reading.recordings[0], reading, body_map)
 
 

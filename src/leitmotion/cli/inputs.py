@@ -67,7 +67,8 @@ def expand(arguments: Sequence[str], extensions: Sequence[str]) -> Iterator[list
     Parameters
     ----------
     arguments : sequence of str
-        Files, folders (searched through, their files in alphabetical order), either with a window, or ``-``.
+        Files, folders (searched through, their files in alphabetical order), either with a window, or ``-``. Files that
+        hold one recording together are one input, which one of them stands for.
     extensions : sequence of str
         The endings that a recording may have, lower case with the dot; what a folder is searched for.
 
@@ -94,6 +95,7 @@ def expand(arguments: Sequence[str], extensions: Sequence[str]) -> Iterator[list
 
 
 def _in_folder(folder: Path, window: str, argument: str, extensions: Sequence[str]) -> list[Input]:
+    from leitmotion.io.companions import clips_in, represented
     from leitmotion.motion import DataError
 
     unreadable: list[OSError] = []
@@ -105,6 +107,10 @@ def _in_folder(folder: Path, window: str, argument: str, extensions: Sequence[st
             for name in sorted(names)
             if not name.startswith(".") and Path(name).suffix.lower() in extensions
         ]
+    others = represented(found)
+    found = [path for path in found if path not in others]
+    if len(found) == 1 and found[0].parent == folder and clips_in([found[0].name]):
+        return [Input(argument, found[0], window)]  # the folder is one recording, a file a frame
     inputs = [
         Input(f"{path}{window}", path, window, doubtful=path.suffix.lower() in DOUBTFUL) for path in found
     ]

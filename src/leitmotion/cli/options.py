@@ -23,6 +23,8 @@ class Options:
     ----------
     skeleton, unit, up, rate, person : str, float or None
         How to read: what the file does not say, or says wrongly.
+    trust : bool
+        Whether files that hold pickled Python objects are read.
     body_map : Path or None
         A JSON file that names the joint or markers of each role.
     joints, exclude : tuple of str
@@ -44,6 +46,7 @@ class Options:
     up: str | None = None
     rate: float | None = None
     person: str | None = None
+    trust: bool = False
     body_map: Path | None = None
     joints: tuple[str, ...] = ()
     exclude: tuple[str, ...] = ()
@@ -59,8 +62,8 @@ class Options:
     @property
     def reading(self) -> dict[str, Any]:
         """The keyword arguments that every reader takes, those that were given."""
-        names = ("skeleton", "unit", "up", "rate", "person")
-        return {name: value for name in names if (value := getattr(self, name)) is not None}
+        names = ("skeleton", "unit", "up", "rate", "person", "trust")
+        return {name: value for name in names if (value := getattr(self, name)) not in (None, False)}
 
     @property
     def searching(self) -> dict[str, Any]:
@@ -168,6 +171,11 @@ _READING = (
     ),
     click.option(
         "--rate", type=_Positive(), metavar="HZ", help="Frames per second, when the file does not tell."
+    ),
+    click.option(
+        "--trust",
+        is_flag=True,
+        help="Read files that hold pickled Python objects, which can run code: only from people you trust.",
     ),
     click.option(
         "--map",

@@ -69,6 +69,8 @@ def _starts(pattern: bytes) -> Callable[[bytes], bool]:
     return lambda head: compiled.match(head) is not None
 
 
+_ZIP = b"PK\x03\x04"  # of a NumPy archive the name of the first member stands at byte 30
+
 FORMATS = (
     Format("C3D", (".c3d",), "c3d", lambda head: head[:2] == b"\x02\x50", writer="c3d_writing"),
     Format("BVH", (".bvh",), "bvh", _starts(rb"HIERARCHY\b"), writer="bvh", text=True),
@@ -84,14 +86,18 @@ FORMATS = (
         "OpenSim MOT", (".mot", ".sto"), "opensim", lambda head: _module("opensim").looks(head), text=True
     ),
     Format("Qualisys TSV", (".tsv",), "qualisys", lambda head: _module("qualisys").looks(head), text=True),
+    Format("UI-PRMD", (".txt", ".csv"), "uiprmd", lambda head: _module("uiprmd").looks(head), text=True),
+    Format("Kinect table", (".csv", ".txt"), "kinect", lambda head: _module("kinect").looks(head), text=True),
     Format("table", (".csv", ".tsv"), "table", lambda head: _module("table").looks(head), text=True),
     Format(
         "archive",
         (".npz",),
         "archive",
-        lambda head: head.startswith(b"PK\x03\x04header.npy"),
+        lambda head: head[:4] == _ZIP and head[30:40] == b"header.npy",
         writer="archive",
     ),
+    Format("NTU RGB+D", (".skeleton",), "ntu", lambda head: _module("ntu").looks(head), text=True),
+    Format("poses", (".json",), "pose_json", lambda head: _module("pose_json").looks(head), text=True),
     Format("ASF", (".asf",), remedy="It holds a skeleton without motion: read the AMC that belongs to it."),
     Format("FBX", (".fbx",), remedy="Save it as BVH, for instance in Blender."),
     Format("glTF", (".gltf", ".glb"), remedy="Save it as BVH, for instance in Blender."),

@@ -69,6 +69,8 @@ class Options:
     unit: str | float | None = None
     up: str | None = None
     rate: float | None = None
+    trust: bool = False
+    """Whether the file's author may run code here, as a pickle does."""
 
 
 @dataclass(frozen=True)

@@ -11,6 +11,7 @@ import re
 from os import PathLike
 from pathlib import Path
 
+from leitmotion.io.companions import first_frame_in
 from leitmotion.io.conform import conform
 from leitmotion.io.files import read_bytes
 from leitmotion.io.formats import Format, readable, recognise
@@ -30,13 +31,15 @@ def read(
     up: str | None = None,
     rate: float | None = None,
     person: str | int | None = None,
+    trust: bool = False,
 ) -> Motion | Trajectories:
     """Read the recording of one person.
 
     Parameters
     ----------
     source : str or path
-        A file, or a file and a window: ``"clip.bvh[12s:45s]"``, ``"clip.bvh[100:400]"``.
+        A file, or a file and a window: ``"clip.bvh[12s:45s]"``, ``"clip.bvh[100:400]"``. A folder with the poses of
+        one recording, a file a frame as OpenPose writes them, is a file, too.
     skeleton : str or path, optional
         The ASF of an AMC; else it is looked for beside the AMC and above.
     unit : str or float, optional
@@ -48,6 +51,9 @@ def read(
         Frames per second; else what the file states.
     person : str or int, optional
         Who, by name or counted from 1, where a file holds several.
+    trust : bool
+        Whether to read a file that holds pickled Python objects. Reading one can run any code that its author put
+        there; say so only of files whose author you trust.
 
     Returns
     -------
@@ -61,7 +67,9 @@ def read(
     DataError
         When it holds several people and `person` is not given; the sentence names them.
     """
-    reading = open_recording(source, skeleton=skeleton, unit=unit, up=up, rate=rate, person=person)
+    reading = open_recording(
+        source, skeleton=skeleton, unit=unit, up=up, rate=rate, person=person, trust=trust
+    )
     if len(reading.recordings) > 1:
         raise DataError(
             f"{reading.path.name} holds {len(reading.recordings)} people: {', '.join(reading.people)}.",
@@ -78,6 +86,7 @@ def read_all(
     up: str | None = None,
     rate: float | None = None,
     person: str | int | None = None,
+    trust: bool = False,
 ) -> list[Motion | Trajectories]:
     """Read the recordings of every person in a file; parameters as in :func:`read`.
 
@@ -87,7 +96,9 @@ def read_all(
         One a person, in the file's order.
     """
     return list(
-        open_recording(source, skeleton=skeleton, unit=unit, up=up, rate=rate, person=person).recordings
+        open_recording(
+            source, skeleton=skeleton, unit=unit, up=up, rate=rate, person=person, trust=trust
+        ).recordings
     )
 
 
@@ -99,6 +110,7 @@ def open_recording(
     up: str | None = None,
     rate: float | None = None,
     person: str | int | None = None,
+    trust: bool = False,
 ) -> Reading:
     """Read a file and tell how it was understood; parameters as in :func:`read`.
 
@@ -115,12 +127,13 @@ def open_recording(
         When the person or the window is not in the file.
     """
     path, window = split_window(source)
+    path = first_frame_in(path)
     content = read_bytes(path)
     form = _format_of(path, content)
     warnings: list[str] = []
     if form.text:
         content = _as_text(path, content, warnings)
-    options = Options(skeleton, unit, up, rate)
+    options = Options(skeleton, unit, up, rate, trust)
     draft = form.read(Source(path, content, options))
     draft.warnings += warnings
     for take, own in zip(draft.takes, distinct([take.person for take in draft.takes], draft.warnings)):
