@@ -1,7 +1,9 @@
 """Which recordings an argument means."""
 
+import gzip
 import hashlib
 import io
+import json
 import os
 import sys
 from pathlib import Path
@@ -10,6 +12,7 @@ from types import SimpleNamespace
 import pytest
 
 from cli.conftest import Run
+from fuzzing.seeds import SEEDS, zipped
 from leitmotion.cli.inputs import Input, expand
 
 ENDINGS = (".bvh", ".amc", ".csv")
@@ -109,3 +112,74 @@ def test_an_empty_name_is_wrong_usage_and_not_the_current_folder(run: Run, typed
     assert told.exit_code == 2
     assert "No input named" in told.stderr
     assert told.stdout == ""
+
+
+BVH = SEEDS["BVH of a skeleton"]()["clip.bvh"]
+
+
+@pytest.fixture
+def packed(tmp_path: Path) -> Path:
+    """A folder with a compressed clip, an archive of several, one of one, one of none and a damaged one."""
+    folder = tmp_path / "packed"
+    folder.mkdir()
+    (folder / "b.bvh.gz").write_bytes(gzip.compress(BVH))
+    (folder / "several.zip").write_bytes(
+        zipped({"z.bvh": BVH, "deep/a.bvh": BVH, "labels.csv": b"x", "__MACOSX/._z.bvh": b"x"})
+    )
+    (folder / "one.zip").write_bytes(zipped({"deep/clip.bvh": BVH, "read.me": b"x"}))
+    (folder / "none.zip").write_bytes(zipped({"read.me": b"x", "licence.md": b"x"}))
+    (folder / "bad.zip").write_bytes(b"PK")
+    return folder
+
+
+def test_an_archive_stands_for_its_recordings_as_a_folder_does(packed: Path) -> None:
+    several = packed / "several.zip"
+    with expand([f"{several}[0:9]"], ENDINGS) as inputs:
+        names = ["labels.csv", "z.bvh", "deep/a.bvh"]
+        assert [given.shown for given in inputs] == [f"{several / name}[0:9]" for name in names]
+        assert [given.doubtful for given in inputs] == [True, False, False]
+        assert [given.name for given in inputs] == ["labels", "z", "a"]
+        assert {given.sha256() for given in inputs} == {hashlib.sha256(several.read_bytes()).hexdigest()}
+
+
+def test_an_archive_of_one_recording_is_it(packed: Path) -> None:
+    with expand([str(packed / "one.zip")], ENDINGS) as inputs:
+        assert [(given.shown, given.name) for given in inputs] == [(str(packed / "one.zip"), "clip")]
+
+
+def test_a_folder_is_searched_for_what_is_packed_too(packed: Path) -> None:
+    found = ["b.bvh.gz", "one.zip", "several.zip/labels.csv", "several.zip/z.bvh", "several.zip/deep/a.bvh"]
+    with expand([str(packed)], ENDINGS) as inputs:
+        assert [given.shown for given in inputs] == [str(packed / name) for name in found]
+        assert [given.name for given in inputs][:2] == ["b", "clip"]
+
+
+@pytest.mark.parametrize(
+    ("name", "match"),
+    [("none.zip", "holds no recordings, but files ending in .md, .me"), ("bad.zip", "damaged")],
+)
+def test_an_archive_of_nothing_stands_in_the_answer_with_its_fault(
+    packed: Path, name: str, match: str
+) -> None:
+    with expand([str(packed / name)], ENDINGS) as inputs:
+        assert len(inputs) == 1
+        assert inputs[0].fault is not None
+        assert match in inputs[0].fault.message
+
+
+def test_what_is_piped_may_be_packed(run: Run, packed: Path) -> None:
+    shown = {"b.bvh.gz": ["-"], "one.zip": ["-"], "several.zip": ["-/z.bvh", "-/deep/a.bvh"]}
+    for name, expected in shown.items():
+        told = run("info", "-", "--json", "--quiet", stdin=(packed / name).read_bytes())
+        documents = [json.loads(line) for line in told.stdout.splitlines()]
+        assert [document["source"][0]["path"] for document in documents] == expected
+        assert {document["source"][0]["frames"] for document in documents} == {12}
+        sums = {document["source"][0]["sha256"] for document in documents}
+        assert sums == {hashlib.sha256((packed / name).read_bytes()).hexdigest()}
+
+
+def test_what_is_piped_without_end_is_refused(run: Run, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("leitmotion.cli.inputs.MOST_PIPED", 1 << 20)
+    told = run("info", "-", stdin=b"0" * (4 << 20))
+    assert told.exit_code == 1
+    assert "Standard input goes on beyond" in told.stderr

@@ -1,23 +1,24 @@
-"""Which recordings an argument means: a file, a folder, a window of either, or standard input."""
+"""Which recordings an argument means: a file, a folder or a zip archive, a window of these, or standard input."""
 
 from __future__ import annotations
 
 import contextlib
 import hashlib
 import os
-import shutil
 import sys
 import tempfile
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import IO, TYPE_CHECKING
 
 if TYPE_CHECKING:
     from leitmotion.motion import LeitmotionError
 
-DOUBTFUL = (".csv", ".json", ".npz", ".tsv", ".txt")
-"""Endings that a recording may have, and much else: in a folder such a file may be something else."""
+_ZIP = ".zip"
+
+MOST_PIPED = 4 << 30
+"""Bytes that are taken from standard input at most."""
 
 
 @dataclass(frozen=True)
@@ -29,7 +30,7 @@ class Input:
     shown : str
         What it is called in every answer: the path as typed or found, with its window; ``-`` for standard input.
     path : Path
-        Where its bytes are.
+        Where its bytes are; the address may go on inside a zip archive.
     window : str
         The window as typed, ``"[12s:45s]"``, or nothing.
     doubtful : bool
@@ -52,11 +53,15 @@ class Input:
     @property
     def name(self) -> str:
         """What a file made from it is called, without ending."""
-        return "stdin" if self.shown == "-" else self.path.stem
+        from leitmotion.io.containers import bare
+
+        return "stdin" if self.shown == "-" else bare(self.path).stem
 
     def sha256(self) -> str:
-        """Return the checksum of the file's bytes, in hexadecimal."""
-        with self.path.open("rb") as file:
+        """Return the checksum of the file on the disk, packed as it is, in hexadecimal."""
+        from leitmotion.io.containers import on_disk
+
+        with on_disk(self.path).open("rb") as file:
             return hashlib.file_digest(file, "sha256").hexdigest()
 
 
@@ -67,8 +72,8 @@ def expand(arguments: Sequence[str], extensions: Sequence[str]) -> Iterator[list
     Parameters
     ----------
     arguments : sequence of str
-        Files, folders (searched through, their files in alphabetical order), either with a window, or ``-``. Files that
-        hold one recording together are one input, which one of them stands for.
+        Files, folders and zip archives (searched through, their files in alphabetical order), each with a window or
+        without, or ``-``. Files that hold one recording together are one input, which one of them stands for.
     extensions : sequence of str
         The endings that a recording may have, lower case with the dot; what a folder is searched for.
 
@@ -78,6 +83,7 @@ def expand(arguments: Sequence[str], extensions: Sequence[str]) -> Iterator[list
         One per recording. A folder without recordings is one input with a fault, so that it stands in the answer.
         A temporary copy of standard input lives as long as the context.
     """
+    from leitmotion.io.containers import is_archive
     from leitmotion.io.sources import split_window
 
     with contextlib.ExitStack() as stack:
@@ -86,8 +92,12 @@ def expand(arguments: Sequence[str], extensions: Sequence[str]) -> Iterator[list
             path, ends = split_window(argument)
             window = "" if ends is None else f"[{ends[0]}:{ends[1]}]"
             if str(path) == "-":
-                inputs.append(Input(argument, stack.enter_context(_standard_input()), window))
-            elif path.is_dir():
+                path = stack.enter_context(_standard_input())
+                held = _in_archive(path, window, argument) if is_archive(path) else []
+                inputs += held if len(held) > 1 else [Input(argument, path, window)]
+            elif is_archive(path):
+                inputs += _in_archive(path, window, argument)
+            elif os.path.isdir(path):
                 inputs += _in_folder(path, window, argument, extensions)
             else:
                 inputs.append(Input(argument, path, window))
@@ -96,8 +106,10 @@ def expand(arguments: Sequence[str], extensions: Sequence[str]) -> Iterator[list
 
 def _in_folder(folder: Path, window: str, argument: str, extensions: Sequence[str]) -> list[Input]:
     from leitmotion.io.companions import clips_in, represented
+    from leitmotion.io.containers import bare, is_doubtful
     from leitmotion.motion import DataError
 
+    endings = (*extensions, _ZIP)
     unreadable: list[OSError] = []
     found: list[Path] = []
     for where, folders, names in os.walk(folder, onerror=unreadable.append):
@@ -105,15 +117,18 @@ def _in_folder(folder: Path, window: str, argument: str, extensions: Sequence[st
         found += [
             Path(where) / name
             for name in sorted(names)
-            if not name.startswith(".") and Path(name).suffix.lower() in extensions
+            if not name.startswith(".") and bare(Path(name)).suffix.lower() in endings
         ]
     others = represented(found)
     found = [path for path in found if path not in others]
     if len(found) == 1 and found[0].parent == folder and clips_in([found[0].name]):
         return [Input(argument, found[0], window)]  # the folder is one recording, a file a frame
-    inputs = [
-        Input(f"{path}{window}", path, window, doubtful=path.suffix.lower() in DOUBTFUL) for path in found
-    ]
+    inputs: list[Input] = []
+    for path in found:
+        if path.suffix.lower() == _ZIP:
+            inputs += [one for one in _in_archive(path, window, f"{path}{window}") if one.fault is None]
+        else:
+            inputs.append(Input(f"{path}{window}", path, window, doubtful=is_doubtful(path)))
     for error in unreadable:
         closed = Path(os.fsdecode(error.filename))
         inputs.append(Input(str(closed), closed, fault=DataError(f"{closed}: {error.strerror}.")))
@@ -127,11 +142,39 @@ def _in_folder(folder: Path, window: str, argument: str, extensions: Sequence[st
     return inputs
 
 
+def _in_archive(file: Path, window: str, argument: str) -> list[Input]:
+    """Stand a zip archive for its recordings, as a folder does."""
+    from leitmotion.io.containers import is_doubtful, nothing_in, recordings_in
+    from leitmotion.motion import LeitmotionError
+
+    try:
+        found = recordings_in(file)
+    except LeitmotionError as fault:
+        return [Input(argument, file, window, fault=fault)]
+    if len(found) == 1:
+        return [Input(argument, found[0], window)]
+    called = Path("-") if argument.startswith("-") else file
+    inputs = [
+        Input(f"{called / path.relative_to(file)}{window}", path, window, doubtful=is_doubtful(path))
+        for path in found
+    ]
+    return inputs or [Input(argument, file, window, fault=nothing_in(file))]
+
+
 @contextlib.contextmanager
 def _standard_input() -> Iterator[Path]:
     """Keep a copy of standard input as a file without ending: its format is told by how it begins."""
     with tempfile.TemporaryDirectory(prefix="leitmotion-") as folder:
         copy = Path(folder) / "stdin"
         with copy.open("wb") as file:
-            shutil.copyfileobj(sys.stdin.buffer, file)
+            _copy(sys.stdin.buffer, file)
         yield copy
+
+
+def _copy(stream: IO[bytes], file: IO[bytes]) -> None:
+    from leitmotion.motion import FormatError
+
+    while piece := stream.read(1 << 20):
+        if file.tell() > MOST_PIPED:
+            raise FormatError(f"Standard input goes on beyond {MOST_PIPED / 1e9:.1f} GB, and was not read.")
+        file.write(piece)

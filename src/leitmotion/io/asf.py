@@ -10,13 +10,13 @@ are parallel to the world's at rest.
 
 from __future__ import annotations
 
-import os
 import re
 from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
 
+from leitmotion.io.containers import bare, listing
 from leitmotion.io.reading import Source
 from leitmotion.motion import FormatError, rotations
 
@@ -113,7 +113,7 @@ def find_asf(amc: Path) -> tuple[Path, str]:
     seen: list[Path] = []
     folder = amc.resolve().parent
     for _ in range(_PARENTS + 1):
-        here = sorted(p for p in _listing(folder) if p.suffix.lower() == ".asf")
+        here = sorted(p for p in listing(folder) if bare(p).suffix.lower() == ".asf")
         scored = [(_shared(wanted, _tokens(path)), path) for path in here]
         best = max((score for score, _ in scored), default=0)
         if best > 0:
@@ -133,15 +133,8 @@ def find_asf(amc: Path) -> tuple[Path, str]:
     )
 
 
-def _listing(folder: Path) -> list[Path]:
-    try:
-        return [Path(entry.path) for entry in os.scandir(folder)]
-    except OSError:
-        return []
-
-
 def _tokens(path: Path) -> list[str]:
-    return [token for token in re.split(r"[_\-\s.]+", path.stem.lower()) if token]
+    return [token for token in re.split(r"[_\-\s.]+", bare(path).stem.lower()) if token]
 
 
 def _shared(wanted: list[str], offered: list[str]) -> int:
@@ -157,7 +150,7 @@ def _shared(wanted: list[str], offered: list[str]) -> int:
 def _sections(source: Source) -> dict[str, list[list[str]]]:
     sections: dict[str, list[list[str]]] = {}
     current: list[list[str]] = []
-    for line in source.content.decode("latin-1").splitlines():
+    for line in source.content.decode("utf-8", "replace").splitlines():
         words = line.split("#", 1)[0].split()
         if not words:
             continue

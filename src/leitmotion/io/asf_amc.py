@@ -18,9 +18,10 @@ from pathlib import Path
 import numpy as np
 
 from leitmotion.io.asf import Acclaim, find_asf, fixed_axes, read_asf
-from leitmotion.io.files import read_bytes
+from leitmotion.io.containers import read_file
 from leitmotion.io.numerals import as_bytes, settle
 from leitmotion.io.reading import Draft, Finding, SkeletonTake, Source, glimpse
+from leitmotion.io.text import as_text
 from leitmotion.motion import rotations
 
 BODYBUILDER = frozenset(
@@ -83,8 +84,8 @@ def read(source: Source) -> Draft:
         When there is no skeleton, or a frame does not fit it; it names the line.
     """
     path, how, reason = _skeleton_of(source)
-    acclaim = read_asf(Source(path, read_bytes(path)))
     warnings: list[str] = []
+    acclaim = read_asf(Source(path, as_text(path, read_file(path)[1], warnings)))
     channels, dofs = _channels(source, acclaim, warnings)
     unit, known = None, {name.lower() for name in acclaim.names} == BODYBUILDER
     if acclaim.scale == 0.45 and known:
@@ -138,7 +139,7 @@ def _channels(
     values = np.empty((capacity, column))
     numbers = np.empty(capacity, dtype=np.int64)
     doubts = np.empty((values.size, 3), dtype=np.int64)
-    words = [label.encode("latin-1") for label in labels]
+    words = [label.encode("utf-8", "replace") for label in labels]
     borders = np.cumsum([0, *map(len, words)])
     counts = np.array([len(dofs[label][1]) for label in labels])
     frames, doubtful, status, stopped, bone = _kernels.scan_amc(
@@ -172,7 +173,7 @@ def _first_frame(source: Source) -> tuple[int, list[str]]:
                 break
             start = position
         elif words and start >= 0:
-            label = words[0].decode("latin-1")
+            label = words[0].decode("utf-8", "replace")
             if label in labels:
                 raise source.fault(position, "every bone once a frame", f"{label!r} again")
             labels.append(label)
@@ -197,7 +198,7 @@ def _explain(
             f"The file ends within its frame {frames + 1}, at bone {labels[bone]!r}; the {frames} whole ones were read."
         )
         return
-    line = source.content[stopped:].partition(b"\n")[0].strip().decode("latin-1")
+    line = source.content[stopped:].partition(b"\n")[0].strip().decode("utf-8", "replace")
     found = repr(line if len(line) <= 60 else line[:57] + "…")
     if status == _kernels.NOT_A_FRAME:
         expected = "the number of the next frame"

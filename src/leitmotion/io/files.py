@@ -6,10 +6,14 @@ import contextlib
 import difflib
 import os
 import secrets
+import stat
 from os import PathLike
 from pathlib import Path
 
 from leitmotion.motion import FormatError
+
+LARGEST = 4 << 30
+"""Bytes of the largest file that is read."""
 
 
 def read_bytes(path: Path) -> bytes:
@@ -23,32 +27,42 @@ def read_bytes(path: Path) -> bytes:
     Returns
     -------
     bytes
-        Its content, never empty.
+        Its content.
 
     Raises
     ------
     FormatError
-        When it is missing, a folder, empty or not to be read.
+        When it is missing, a folder or a device, larger than :data:`LARGEST` or not to be read.
     """
-    if path.is_dir():
-        raise FormatError(f"Expected a file, {path} is a folder.", remedy="Name a recording in it.")
     try:
-        content = path.read_bytes()
-    except FileNotFoundError:
+        facts = os.stat(path)
+        if stat.S_ISDIR(facts.st_mode):
+            raise FormatError(f"Expected a file, {path} is a folder.", remedy="Name a recording in it.")
+        if not stat.S_ISREG(facts.st_mode):
+            raise FormatError(
+                f"Expected a file, {path} is a device or a pipe.",
+                remedy=f"What comes from a pipe is read as standard input: leitmotion info - < {path}",
+            )
+        if facts.st_size > LARGEST:
+            raise FormatError(
+                f"{path.name} is {facts.st_size / 1e9:.1f} GB, and files of up to {LARGEST / 1e9:.1f} GB are read.",
+                remedy="Cut it into parts.",
+            )
+        return path.read_bytes()
+    except FormatError:
+        raise
+    except (FileNotFoundError, NotADirectoryError, ValueError):  # the last of a name that no file can have
         raise FormatError(f"There is no file {path}.", remedy=_suggest(path)) from None
     except PermissionError:
         raise FormatError(f"The file {path} may not be read.", remedy="Check its permissions.") from None
     except OSError as error:
         raise FormatError(f"The file {path} cannot be read: {error.strerror or error}.") from None
-    if not content.strip():
-        raise FormatError(f"{path.name} is empty.", remedy="Was it copied or downloaded completely?")
-    return content
 
 
 def _suggest(path: Path) -> str:
     try:
         names = os.listdir(path.parent)
-    except OSError:
+    except (OSError, ValueError):
         return f"There is no folder {path.parent} either."
     lower = {name.lower(): name for name in names}
     near = [

@@ -111,8 +111,16 @@ FORMATS = (
     ),
     Format("NumPy array", (".npy",), remedy="Save it as CSV with the columns time, NAME_x, NAME_y, NAME_z."),
     Format("Qualisys project", (".qtm",), remedy="Export its trajectories as C3D or TSV."),
+    Format(
+        "archive of files",
+        (".tar", ".tgz", ".tbz2", ".txz", ".7z", ".rar"),
+        remedy="Unpack it, and read the files or their folder.",
+    ),
     Format("video", (".mp4", ".avi", ".mov", ".mkv", ".webm"), remedy="Take the poses from it first."),
 )
+
+DOUBTFUL = (".csv", ".json", ".npz", ".tsv", ".txt")
+"""Extensions that a recording may have, and much else: a file found somewhere may be something else."""
 
 EXTENSIONS: dict[str, tuple[Format, ...]] = {
     extension: tuple(form for form in FORMATS if extension in form.extensions)
@@ -140,8 +148,8 @@ def recognise(head: bytes, extension: str = "") -> Format | None:
     head : bytes
         The first kilobytes of a file.
     extension : str
-        How its name ends, with the dot. One that several formats share chooses among these, the usual one where none
-        looks right; one that no format has tells nothing.
+        How its name ends, with the dot. One that several formats share chooses among these first, then among all, and
+        is the usual one where none looks right; one that no format has tells nothing.
 
     Returns
     -------
@@ -151,5 +159,5 @@ def recognise(head: bytes, extension: str = "") -> Format | None:
     forms = EXTENSIONS.get(extension.lower(), ())
     if len(forms) == 1:
         return forms[0]
-    fitting = (form for form in forms or FORMATS if form.looks is not None and form.looks(head))
+    fitting = (form for form in (*forms, *FORMATS) if form.looks is not None and form.looks(head))
     return next(fitting, forms[-1] if forms else None)

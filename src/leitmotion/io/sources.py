@@ -1,7 +1,8 @@
 """From what a person types to recordings: paths, windows, people.
 
 A source is a path, or a path and a window in brackets: ``clip.bvh[12s:45s]`` in seconds, ``clip.bvh[100:400]`` in
-frames, half-open, either end left out. A file whose name really ends in brackets wins over the window.
+frames, half-open, either end left out. A file whose name really ends in brackets wins over the window. The path may
+go on inside a zip archive, ``pack.zip/clip.bvh``.
 """
 
 from __future__ import annotations
@@ -13,11 +14,13 @@ from pathlib import Path
 
 from leitmotion.io.companions import first_frame_in
 from leitmotion.io.conform import conform
-from leitmotion.io.files import read_bytes
+from leitmotion.io.containers import exists, read_file
 from leitmotion.io.formats import Format, readable, recognise
 from leitmotion.io.points import distinct
 from leitmotion.io.reading import Options, Reading, Source
+from leitmotion.io.text import as_text, is_wide
 from leitmotion.motion import DataError, FormatError, Motion, ParameterError, Trajectories
+from leitmotion.motion.errors import in_one_line
 
 _WINDOW = re.compile(r"^(?P<path>.+)\[(?P<start>[^\[\]:]*):(?P<stop>[^\[\]:]*)\]$", re.DOTALL)
 _HEAD = 4096
@@ -38,8 +41,9 @@ def read(
     Parameters
     ----------
     source : str or path
-        A file, or a file and a window: ``"clip.bvh[12s:45s]"``, ``"clip.bvh[100:400]"``. A folder with the poses of
-        one recording, a file a frame as OpenPose writes them, is a file, too.
+        A file, or a file and a window: ``"clip.bvh[12s:45s]"``, ``"clip.bvh[100:400]"``. It may be compressed
+        (``"clip.bvh.gz"``), a zip archive of one recording, or a file in one: ``"pack.zip/clip.bvh"``. A folder with
+        the poses of one recording, a file a frame as OpenPose writes them, is a file, too.
     skeleton : str or path, optional
         The ASF of an AMC; else it is looked for beside the AMC and above.
     unit : str or float, optional
@@ -127,13 +131,20 @@ def open_recording(
         When the person or the window is not in the file.
     """
     path, window = split_window(source)
-    path = first_frame_in(path)
-    content = read_bytes(path)
+    try:
+        return _open(path, window, Options(skeleton, unit, up, rate, trust), person)
+    except MemoryError:
+        raise DataError(
+            f"{path.name} needs more memory than there is.", remedy="Cut it into parts, or free some memory."
+        ) from None
+
+
+def _open(path: Path, window: tuple[str, str] | None, options: Options, person: str | int | None) -> Reading:
+    path, content = read_file(first_frame_in(path))
     form = _format_of(path, content)
     warnings: list[str] = []
     if form.text:
-        content = _as_text(path, content, warnings)
-    options = Options(skeleton, unit, up, rate, trust)
+        content = as_text(path, content, warnings)
     draft = form.read(Source(path, content, options))
     draft.warnings += warnings
     for take, own in zip(draft.takes, distinct([take.person for take in draft.takes], draft.warnings)):
@@ -145,7 +156,8 @@ def open_recording(
     if window is not None:
         frames = _frames_of(window, recordings[0].rate, len(recordings[0]), path, draft.warnings)
         recordings = [recording[slice(*frames)] for recording in recordings]
-    return Reading(tuple(recordings), findings, tuple(draft.warnings), path, frames, people)
+    told = tuple(map(in_one_line, draft.warnings))
+    return Reading(tuple(recordings), findings, told, path, frames, people)
 
 
 def split_window(source: str | PathLike[str]) -> tuple[Path, tuple[str, str] | None]:
@@ -176,7 +188,7 @@ def split_window(source: str | PathLike[str]) -> tuple[Path, tuple[str, str] | N
         raise ParameterError(f"A recording is named by a path, got {source!r}.")
     text = os.fspath(source)
     match = _WINDOW.match(text)
-    if match is None or os.path.exists(text):
+    if match is None or exists(Path(text)):
         return Path(text), None
     return Path(match["path"]), (match["start"].strip(), match["stop"].strip())
 
@@ -189,8 +201,8 @@ def _format_of(path: Path, content: bytes) -> Format:
             remedy="Download the file itself, not the page about it.",
         )
     form = recognise(head, path.suffix)
-    if (form is None or form.text) and _is_wide(head[:64]):
-        raise FormatError(f"{path.name} is UTF-16 text.", remedy="Save it as UTF-8.")
+    if (form is None or form.text) and is_wide(head[:64]):
+        form = recognise(as_text(path, head, []), path.suffix)
     if form is None:
         ending = f"ends in {path.suffix!r}" if path.suffix else "has no extension"
         raise FormatError(
@@ -200,32 +212,6 @@ def _format_of(path: Path, content: bytes) -> Format:
     if not form.module:
         raise FormatError(f"{path.name}: {form.name} files are not read.", remedy=form.remedy)
     return form
-
-
-def _is_wide(head: bytes) -> bool:
-    """Whether a text is UTF-16: it begins with the mark, or every other byte is zero."""
-    if head[:2] in (b"\xff\xfe", b"\xfe\xff"):
-        return True
-    return len(head) >= 8 and any(head[::2]) != any(head[1::2])
-
-
-def _as_text(path: Path, content: bytes, warnings: list[str]) -> bytes:
-    """The text with line feeds, or a word why it is none."""
-    if b"\0" in content:
-        kept = content.rstrip(b"\0\r\n\t ")
-        place = kept.find(b"\0")
-        if place >= 0 or not kept:
-            line = kept.count(b"\n", 0, max(place, 0)) + 1
-            raise FormatError(
-                f"{path.name}, line {line}: expected text, found NUL bytes: the file is binary or damaged.",
-                remedy="Was it copied or downloaded completely?",
-            )
-        zeros = content.count(b"\0")
-        warnings.append(f"The file ends in {zeros} NUL bytes, as after a broken copy; they were left out.")
-        content = kept + b"\n"
-    if b"\n" not in content:  # line ends of a lone carriage return
-        content = content.replace(b"\r", b"\n")
-    return content
 
 
 def _choose(

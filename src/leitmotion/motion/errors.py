@@ -7,8 +7,33 @@
     ├── FormatError      a file is not what its format says it is
     └── DataError        the file is fine, but it cannot answer this question
 
-The message tells what was expected, what was found and where; `remedy` tells what to do.
+The message tells what was expected, what was found and where; `remedy` tells what to do. Both are one line, whatever a
+file or its name holds.
 """
+
+_LONGEST = 800  # characters of a sentence
+
+
+def in_one_line(text: str) -> str:
+    r"""Spell a text so that it is one line that can be printed, and not endless.
+
+    Parameters
+    ----------
+    text : str
+        Any text; what cannot be printed stands as Python spells it.
+
+    Returns
+    -------
+    str
+        The line.
+
+    Examples
+    --------
+    >>> print(in_one_line("There is no file a" + chr(9) + "b.bvh."))
+    There is no file a\tb.bvh.
+    """
+    line = "".join(mark if mark.isprintable() else repr(mark)[1:-1] for mark in text)
+    return line if len(line) <= _LONGEST else f"{line[: _LONGEST - 1]}…"
 
 
 class LeitmotionError(Exception):
@@ -23,9 +48,9 @@ class LeitmotionError(Exception):
     """
 
     def __init__(self, message: str, *, remedy: str = "") -> None:
-        super().__init__(message)
-        self.message = message
-        self.remedy = remedy
+        self.message = in_one_line(message)
+        self.remedy = in_one_line(remedy)
+        super().__init__(self.message)
 
     def __str__(self) -> str:
         return f"{self.message} {self.remedy}".strip()

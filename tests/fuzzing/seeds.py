@@ -1,0 +1,180 @@
+"""Small valid files to spoil: one function a format, and cuts of real recordings.
+
+A seed is the files that make one recording, by name, the recording itself first: ``{"s_01.amc": …, "s.asf": …}``. A
+format that is written needs no function of its own: its seed is what its writer makes.
+"""
+
+import bz2
+import gzip
+import io as streams
+import lzma
+import zipfile
+from collections.abc import Callable, Iterator
+from functools import cache
+from pathlib import Path
+
+import numpy as np
+
+from leitmotion.io.formats import FORMATS
+from leitmotion.motion import Motion, Skeleton, Trajectories, rotations
+from oracles.c3d import DEC, INTEL, c3d_bytes
+
+Files = dict[str, bytes]
+
+LARGEST = 40_000  # bytes of a cut of a real recording
+
+
+@cache
+def motion() -> Motion:
+    """Twelve frames of a body of nine joints."""
+    parents = [-1, 0, 1, 2, 1, 0, 5, 0, 7]
+    names = ("Hips", "Spine", "Neck", "Head", "LeftArm", "LeftUpLeg", "LeftFoot", "RightUpLeg", "RightFoot")
+    offsets = np.array(
+        [[0, 0.9, 0], [0, 0.2, 0], [0, 0.3, 0], [0, 0.2, 0], [0.2, 0.2, 0], [0.1, 0, 0], [0, -0.8, 0],
+         [-0.1, 0, 0], [0, -0.8, 0]]
+    )  # fmt: skip
+    skeleton = Skeleton(names, parents, offsets, [3, 6, 8], [[0, 0.1, 0], [0, -0.1, 0.1], [0, -0.1, 0.1]])
+    angles = np.random.default_rng(1).normal(0, 20, (12, 9, 3))
+    turns = rotations.from_euler("zxy", np.deg2rad(angles))
+    return Motion(skeleton, np.tile(offsets, (12, 1, 1)), rotations.continuous(turns), 30.0, "seed")
+
+
+@cache
+def markers() -> Trajectories:
+    """Twelve frames of four markers, one of them unseen for a while."""
+    places = np.round(np.random.default_rng(2).uniform(-0.3, 0.3, (12, 4, 3)), 4)
+    places[:, :, 1] += [1.7, 0.1, 0.1, 0.9]
+    places[3:5, 3] = np.nan
+    return Trajectories(("HEAD", "LANK", "RANK", "LASI"), places, 50.0, name="seed")
+
+
+def amc() -> Files:
+    """A root and two bones."""
+    skeleton = (
+        ":version 1.10\n:units\n  mass 1.0\n  length 1.0\n  angle deg\n:root\n  order TX TY TZ RX RY RZ\n  axis XYZ\n"
+        "  position 0 0 0\n  orientation 0 0 0\n:bonedata\n  begin\n    id 1\n    name back\n    direction 0 1 0\n"
+        "    length 2\n    axis 0 0 20 XYZ\n    dof rx ry\n    limits (-160.0 20.0)\n           (-70.0 70.0)\n  end\n"
+        "  begin\n    id 2\n    name head\n    direction 0 1 0\n    length 1\n    axis 0 0 0 XYZ\n    dof rz\n  end\n"
+        ":hierarchy\n  begin\n    root back\n    back head\n  end\n"
+    )
+    rows = [f"{k}\nroot {k} 2 3 0 {k}.5 0\nback 1e1 -{k}\nhead {10 * k}\n" for k in range(1, 9)]
+    frames = ":FULLY-SPECIFIED\n:DEGREES\n" + "".join(rows)
+    return {"s_01.amc": frames.encode(), "s.asf": skeleton.encode()}
+
+
+def asf() -> Files:
+    """The same, spoiled in the skeleton."""
+    return {"s_01.amc": amc()["s_01.amc"], "s.asf": amc()["s.asf"]}
+
+
+def c3d() -> Files:
+    """Four markers as floats."""
+    places = np.nan_to_num(markers().positions) * 1000
+    return {"clip.c3d": c3d_bytes(places, list(markers().names), processor=INTEL)}
+
+
+def c3d_whole() -> Files:
+    """Four markers as whole numbers of a VAX, and analog channels."""
+    places = np.nan_to_num(markers().positions) * 1000
+    return {"clip.c3d": c3d_bytes(places, list(markers().names), processor=DEC, scale=0.1, analog=2)}
+
+
+def trc() -> Files:
+    """Two markers."""
+    header = (
+        "PathFileType\t4\t(X/Y/Z)\tclip.trc\nDataRate\tCameraRate\tNumFrames\tNumMarkers\tUnits\n"
+        "60\t60\t6\t2\tmm\nFrame#\tTime\tHEAD\t\t\tLANK\t\t\n\t\tX1\tY1\tZ1\tX2\tY2\tZ2\n\n"
+    )
+    rows = [f"{k + 1}\t{k / 60:.4f}\t{k}\t1700\t5.5\t1e2\t{80 - k}\t-3\n" for k in range(6)]
+    return {"clip.trc": (header + "".join(rows)).encode()}
+
+
+def table() -> Files:
+    """Two points, one of them with a confidence."""
+    header = "# rate: 30\ntime,HEAD_x,HEAD_y,HEAD_z,LANK_x,LANK_y,LANK_z,LANK_confidence\n"
+    rows = [f"{k / 30:.4f},0.1,1.7,{k},0.2,{0.1 * k:.2f},,0.{k}\n" for k in range(9)]
+    return {"clip.csv": (header + "".join(rows)).encode()}
+
+
+def plane() -> Files:
+    """Two points in a plane, quoted, parted by semicolons."""
+    rows = [f'"{k}";"1,5";{k},25;3;4\n' for k in range(9)]
+    return {"clip.csv": ("time;A_x;A_y;B_x;B_y\n" + "".join(rows)).encode()}
+
+
+def _written(name: str, kind: Motion | Trajectories) -> Files:
+    form = next(form for form in FORMATS if form.name == name)
+    return {f"clip{form.extensions[0]}": form.write(kind)}
+
+
+def _packed() -> Iterator[tuple[str, Callable[[], Files]]]:
+    """The containers, each with a BVH, the zip also with an AMC and its skeleton."""
+    clip = _written("BVH", motion())["clip.bvh"]
+    for ending, pack in ((".gz", gzip.compress), (".bz2", bz2.compress), (".xz", lzma.compress)):
+        yield f"BVH{ending}", lambda ending=ending, pack=pack: {f"clip.bvh{ending}": pack(clip)}
+    yield "BVH.zip", lambda: {"pack.zip": zipped({"inner/clip.bvh": clip})}
+    yield "AMC.zip", lambda: {"pack.zip": zipped({f"a/{name}": content for name, content in amc().items()})}
+
+
+def zipped(members: Files, method: int = zipfile.ZIP_DEFLATED) -> bytes:
+    """A zip archive of these members."""
+    file = streams.BytesIO()
+    with zipfile.ZipFile(file, "w", method) as box:
+        for name, content in members.items():
+            box.writestr(zipfile.ZipInfo(name), content, compress_type=method)
+    return file.getvalue()
+
+
+SEEDS: dict[str, Callable[[], Files]] = {
+    "AMC": amc,
+    "ASF": asf,
+    "C3D": c3d,
+    "C3D of whole numbers": c3d_whole,
+    "TRC": trc,
+    "table": table,
+    "table in a plane": plane,
+    **dict(_packed()),
+}
+"""By the name of the format; further ones of a format may have any name that begins with its name."""
+
+for _form in FORMATS:
+    if _form.writer:
+        for _kind, _recording in (("a skeleton", motion), ("points", markers)):
+            try:
+                _form.write(_recording())
+            except Exception:
+                continue
+            SEEDS[f"{_form.name} of {_kind}"] = lambda name=_form.name, kind=_recording: _written(
+                name, kind()
+            )
+
+SPOILED = {"ASF": "s.asf"}
+"""Which file of a seed is spoiled, where it is not the first."""
+
+
+def cuts(data: Path) -> dict[str, Files]:
+    """The beginnings of real recordings, one of each ending in a folder, with the skeleton where one is needed."""
+    found: dict[str, Files] = {}
+    taken: dict[str, int] = {}
+    readable = {extension for form in FORMATS if form.module for extension in form.extensions}
+    for path in sorted(data.rglob("*")):
+        ending = path.suffix.lower()
+        kind = f"{path.parent.name}{ending}"
+        if ending not in readable or kind in taken:
+            continue
+        taken[kind] = 1
+        content = path.read_bytes()
+        if ending not in (".npz", ".json", ".parquet", ".mat", ".h5"):
+            content = content[:LARGEST]
+        if len(content) > 4 * LARGEST:
+            continue
+        found[str(path.relative_to(data))] = {path.name.replace(path.stem, "clip"): content}
+        if ending == ".amc":
+            skeleton = next(
+                iter(sorted(path.parent.glob("*.asf")) or sorted(path.parent.parent.glob("*.asf"))), None
+            )
+            if skeleton is None:
+                del found[str(path.relative_to(data))]
+            else:
+                found[str(path.relative_to(data))]["clip.asf"] = skeleton.read_bytes()
+    return found
