@@ -142,13 +142,13 @@ def patched(content, places, value):
 @pytest.mark.parametrize("ending", [*PACKERS, ".zip"])
 def test_what_unpacks_beyond_reason_is_refused_soon(tmp_path, ending):
     path = put(tmp_path, f"clip.bvh{ending}", bomb(ending))
-    began = time.perf_counter()
+    began = time.process_time()
     with (
         bounded(room=1200 << 20),
         pytest.raises(FormatError, match=r"clip.bvh.* unpacks to more than \d+ MB"),
     ):
         io.read(path)
-    assert time.perf_counter() - began < 3
+    assert time.process_time() - began < 3
 
 
 ZIP = zipped({"clip.bvh": BVH})

@@ -104,7 +104,7 @@ def test_a_file_whose_name_ends_in_brackets_wins(clip):
         ("a.fbx", b"Kaydara", "FBX files are not read.*BVH"),
         ("a.mat", b"MATLAB", "MATLAB files are not read"),
         ("a.h5", b"\x89HDF", "HDF5 files are not read"),
-        ("a.npy", b"\x93NUMPY", "NumPy array files are not read"),
+        ("a.npy", b"\x93NUMPY", "is damaged"),
         ("a.asf", b":version", "read the AMC that belongs to it"),
         ("a.mp4", b"ftyp", "video files are not read"),
     ],

@@ -88,7 +88,8 @@ FORMATS = (
     Format("Qualisys TSV", (".tsv",), "qualisys", lambda head: _module("qualisys").looks(head), text=True),
     Format("UI-PRMD", (".txt", ".csv"), "uiprmd", lambda head: _module("uiprmd").looks(head), text=True),
     Format("Kinect table", (".csv", ".txt"), "kinect", lambda head: _module("kinect").looks(head), text=True),
-    Format("table", (".csv", ".tsv"), "table", lambda head: _module("table").looks(head), text=True),
+    Format("table", (".csv", ".tsv", ".txt"), "table", lambda head: _module("table").looks(head), text=True),
+    Format("AMASS", (".npz",), "amass", lambda head: _module("amass").looks(head)),
     Format(
         "archive",
         (".npz",),
@@ -96,6 +97,7 @@ FORMATS = (
         lambda head: head[:4] == _ZIP and head[30:40] == b"header.npy",
         writer="archive",
     ),
+    Format("NumPy array", (".npy",), "npy", lambda head: head.startswith(b"\x93NUMPY")),
     Format("NTU RGB+D", (".skeleton",), "ntu", lambda head: _module("ntu").looks(head), text=True),
     Format("poses", (".json",), "pose_json", lambda head: _module("pose_json").looks(head), text=True),
     Format("ASF", (".asf",), remedy="It holds a skeleton without motion: read the AMC that belongs to it."),
@@ -109,7 +111,6 @@ FORMATS = (
         (".h5", ".hdf5"),
         remedy="Save the points as CSV with the columns time, NAME_x, NAME_y, NAME_z.",
     ),
-    Format("NumPy array", (".npy",), remedy="Save it as CSV with the columns time, NAME_x, NAME_y, NAME_z."),
     Format("Qualisys project", (".qtm",), remedy="Export its trajectories as C3D or TSV."),
     Format(
         "archive of files",

@@ -188,6 +188,49 @@ def from_axis_angle(axis: str, angle: np.ndarray | float) -> np.ndarray:
     return q
 
 
+def from_rotation_vector(vectors: np.ndarray) -> np.ndarray:
+    """Turn about an axis by the length of the axis, in radians: what SMPL and exponential maps tell.
+
+    Parameters
+    ----------
+    vectors : (..., 3) float
+        Axis times angle.
+
+    Returns
+    -------
+    (..., 4) float
+        Unit quaternions.
+
+    Examples
+    --------
+    >>> from_rotation_vector(np.array([0.0, np.pi / 2, 0.0])).round(6).tolist()
+    [0.707107, 0.0, 0.707107, 0.0]
+    """
+    vectors = np.asarray(vectors, dtype=np.float64)
+    half = np.linalg.norm(vectors, axis=-1, keepdims=True) / 2
+    # np.sinc is sin(pi x) / (pi x) and knows its limit
+    return np.concatenate((np.cos(half), vectors / 2 * np.sinc(half / np.pi)), axis=-1)
+
+
+def as_rotation_vector(q: np.ndarray) -> np.ndarray:
+    """Write rotations as axis times angle, the shorter way round.
+
+    Parameters
+    ----------
+    q : (..., 4) float
+        Unit quaternions.
+
+    Returns
+    -------
+    (..., 3) float
+        Of length 0 to π.
+    """
+    q = np.asarray(q, dtype=np.float64)
+    q = np.where(q[..., :1] < 0, -q, q)
+    half = np.arctan2(np.linalg.norm(q[..., 1:], axis=-1, keepdims=True), q[..., :1])
+    return q[..., 1:] * 2 / np.sinc(half / np.pi)
+
+
 def from_euler(order: str, angles: np.ndarray) -> np.ndarray:
     """Quaternion of intrinsic Euler angles, the order given by letters.
 

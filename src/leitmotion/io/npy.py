@@ -1,0 +1,200 @@
+"""NumPy arrays: joints in space or in a picture, or the motions of poselib.
+
+An array of numbers (T, J, 3) or (T, J, 2) holds J joints over T frames. What they are is guessed from how many there
+are: 22 are those of HumanML3D, 17 of Human3.6M (in a picture, of COCO), 20, 25 and 32 of a Kinect, 24 of SMPL, 33 of
+BlazePose. An array of Python objects is a pickle, which can run code when it is read: it is read only for a caller who
+trusts it, and holds a motion where it is one of poselib, which Isaac Gym and AMP use: quaternions (x, y, z, w), metres,
+Z up.
+"""
+
+from __future__ import annotations
+
+import io
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+
+from leitmotion.io.joint_sets import BLAZEPOSE, IN_IMAGES, IN_SPACE, JointSet, set_of
+from leitmotion.io.points import unseen_in_origin
+from leitmotion.io.reading import Draft, Finding, PointTake, SkeletonTake, Source
+
+_PIXELS = 20.0  # coordinates in a picture beyond this are pixels, as in tables
+_FEATURES = {
+    263: "HumanML3D features, from which places follow only with that project's code",
+    251: "KIT-ML features, from which places follow only with that project's code",
+}
+_SAVE = "Save the places as an array (T, J, 3), or as CSV with the columns time, NAME_x, NAME_y, NAME_z."
+
+
+def read(source: Source) -> Draft:
+    """Read an array.
+
+    Parameters
+    ----------
+    source : Source
+        The file.
+
+    Returns
+    -------
+    Draft
+        One person.
+
+    Raises
+    ------
+    FormatError
+        When the file is damaged, of another shape, or a pickle that the caller does not trust.
+    """
+    try:
+        content = io.BytesIO(source.content)
+        version = np.lib.format.read_magic(content)
+        read_header = (
+            np.lib.format.read_array_header_1_0 if version == (1, 0) else np.lib.format.read_array_header_2_0
+        )
+        shape, _, dtype = read_header(content)
+    except (
+        ValueError,
+        OSError,
+        EOFError,
+        KeyError,
+        TypeError,
+        SyntaxError,
+        MemoryError,
+        RecursionError,
+    ) as error:
+        raise source.error(f"is no NumPy array or is damaged: {error}") from None
+    if dtype.hasobject:
+        return _pickled(source)
+    if dtype.kind not in "fiu":
+        raise source.error(f"expected numbers, found {dtype}.", remedy=_SAVE)
+    if dtype.itemsize * int(np.prod(shape, dtype=object)) > len(source.content):
+        raise source.error(f"its header promises {_size(shape)} numbers, more than it holds.")
+    try:
+        values = np.load(io.BytesIO(source.content), allow_pickle=False).astype(np.float64)
+    except (ValueError, OSError, EOFError, MemoryError) as error:
+        raise source.error(f"is damaged: {error}") from None
+    return _points(source, values)
+
+
+def _points(source: Source, values: np.ndarray) -> Draft:
+    if values.ndim == 2 and values.shape[1] in _FEATURES:
+        raise source.error(
+            f"holds {values.shape[1]} numbers a frame: {_FEATURES[values.shape[1]]}.",
+            remedy="Save the places of the joints that they stand for, as an array (T, 22, 3).",
+        )
+    if values.ndim != 3 or values.shape[2] not in (2, 3) or 0 in values.shape:
+        raise source.error(
+            f"expected joints over time, (T, J, 3), found {_size(values.shape)}.", remedy=_SAVE
+        )
+    warnings: list[str] = []
+    count, sure = values.shape[1], None
+    if values.shape[2] == 3 and _third_is_confidence(values):
+        values, sure = values[..., :2], np.clip(np.nan_to_num(values[..., 2]), 0.0, 1.0)
+        warnings.append("The third numbers lie within 0 and 1 beside pixels and were taken as confidences.")
+    flat = values.shape[2] == 2
+    joints = set_of(count, IN_IMAGES if flat else IN_SPACE) or set_of(count, IN_SPACE if flat else IN_IMAGES)
+    joints = joints or JointSet("numbered points", tuple(f"point_{k}" for k in range(count)))
+    values = np.where(np.isfinite(values).all(axis=-1, keepdims=True), values, np.nan)
+    if flat:
+        unseen_in_origin(values, warnings)
+    kind = "no known joint set has so many" if joints.name.startswith("numbered") else f"because J = {count}"
+    warnings.append(
+        f"The array names nothing: its joints were taken as {joints.name} ({kind}) at {joints.rate:g} Hz; "
+        "--rate and --map overrule this."
+    )
+    up = None
+    if flat:
+        up = Finding("-y", "guessed", "points in a picture: y points down")
+    elif joints is BLAZEPOSE:
+        up = Finding("-y", "guessed", "the axes of BlazePose: y points down")
+    return Draft(
+        [PointTake(list(joints.joints), values, "joint", sure)],
+        rate=Finding(joints.rate, "guessed", joints.usual),
+        unit=_plane_unit(values) if flat else None,
+        up=up,
+        findings={"joints": Finding(joints.name, "guessed", kind)},
+        warnings=warnings,
+    )
+
+
+def _third_is_confidence(values: np.ndarray) -> bool:
+    across = np.nanmax(np.abs(values[..., :2]), initial=0.0)
+    third = values[..., 2]
+    return bool(across > _PIXELS and np.nanmin(third) >= 0.0 and 0.0 < np.nanmax(third) <= 1.0)
+
+
+def _plane_unit(values: np.ndarray) -> Finding:
+    if np.nanmax(np.abs(values), initial=0.0) > _PIXELS:
+        return Finding("px", "guessed", "points in a picture with coordinates as large as pixels")
+    return Finding("relative", "guessed", "points in a picture with coordinates too small for pixels")
+
+
+def _pickled(source: Source) -> Draft:
+    if not source.options.trust:
+        raise source.error(
+            "holds pickled Python objects, which can run code when they are read.",
+            remedy="If you trust where it comes from, read it with --trust (trust=True in Python).",
+        )
+    try:
+        held = np.load(io.BytesIO(source.content), allow_pickle=True)
+        motion = held.item() if held.shape == () else None
+    except Exception as error:  # a pickle may raise anything
+        raise source.error(f"its pickle cannot be read: {error}") from None
+    if not isinstance(motion, Mapping) or not {"rotation", "root_translation", "skeleton_tree"} <= set(
+        motion
+    ):
+        found = (
+            f"the keys {', '.join(map(str, list(motion)[:6]))}" if isinstance(motion, Mapping) else "others"
+        )
+        raise source.error(
+            f"expected a motion of poselib with rotation, root_translation and skeleton_tree, found {found}.",
+            remedy=_SAVE,
+        )
+    try:
+        return _poselib(source, motion)
+    except (KeyError, TypeError, ValueError, IndexError, AttributeError) as error:
+        raise source.error(f"its motion of poselib is damaged: {error!r}.") from None
+
+
+def _poselib(source: Source, motion: Mapping[str, Any]) -> Draft:
+    tree = motion["skeleton_tree"]
+    names = [str(name) for name in tree["node_names"]]
+    parents = np.asarray(tree["parent_indices"]["arr"], dtype=np.int64)
+    offsets = np.asarray(tree["local_translation"]["arr"], dtype=np.float64)
+    root = np.asarray(motion["root_translation"]["arr"], dtype=np.float64)
+    turns = np.roll(np.asarray(motion["rotation"]["arr"], dtype=np.float64), 1, axis=-1)
+    frames, joints = len(root), len(names)
+    if turns.shape != (frames, joints, 4) or offsets.shape != (joints, 3) or parents.shape != (joints,):
+        raise source.error(
+            f"expected rotations of {frames} frames and {joints} joints, found {_size(turns.shape)} numbers."
+        )
+    lengths = np.linalg.norm(turns, axis=-1)
+    if not (np.isfinite(root).all() and np.isfinite(turns).all() and lengths.min(initial=1.0) > 0.5):
+        raise source.error("expected unit quaternions and finite places, found others.")
+    if not motion.get("is_local", True):
+        raise source.error(
+            "its rotations are in the world's frame, which is not read.", remedy="Save local ones."
+        )
+    positions = np.broadcast_to(offsets, (frames, joints, 3)).copy()
+    positions[:, 0] = root
+    rest = offsets.copy()
+    rest[0] = 0.0
+    take = SkeletonTake(
+        names,
+        parents,
+        rest,
+        np.empty(0, dtype=np.int64),
+        np.empty((0, 3)),
+        positions,
+        turns / lengths[..., None],
+    )
+    return Draft(
+        [take],
+        rate=Finding(float(np.asarray(motion["fps"]).item()), "read", "stated as fps"),
+        unit=Finding("m", "read", "a motion of poselib"),
+        up=Finding("z", "read", "a motion of poselib"),
+    )
+
+
+def _size(shape: tuple[int, ...]) -> str:
+    return " × ".join(map(str, shape)) or "one"
