@@ -3,8 +3,11 @@
 import numpy as np
 import pytest
 
+from fuzzing.law import bounded
 from leitmotion import io
-from leitmotion.io.asf import find_asf
+from leitmotion.io.asf import read_asf
+from leitmotion.io.asf_search import find_asf
+from leitmotion.io.reading import Source
 from leitmotion.motion import FormatError, forward_kinematics, rotations
 from oracles import amc as amc_oracle
 from oracles import bvh as bvh_oracle
@@ -322,3 +325,169 @@ def test_the_skeleton_may_be_given(data, tmp_path):
     assert reading.findings["skeleton"].how == "given"
     expected = io.read(data / "cmu_amc" / "02_01.amc")
     assert reading.recordings[0] == expected.replace(name="walk")
+
+
+# --- the same in other spellings
+
+
+def respelled(tmp_path, of_asf=lambda s: s, of_amc=lambda s: s):
+    path = put(tmp_path)
+    for file, change in ((tmp_path / "s.asf", of_asf), (path, of_amc)):
+        changed = change(file.read_text("latin-1"))
+        file.write_bytes(changed if isinstance(changed, bytes) else changed.encode("latin-1"))
+    return io.open_recording(path, unit="m", rate=120)
+
+
+@pytest.mark.parametrize(
+    "change",
+    [
+        lambda s: s.replace("\n", "\r\n"),
+        lambda s: s.replace("\n", "\r"),
+        lambda s: s.encode("utf-16"),
+        lambda s: s.encode("utf-16-be"),
+        lambda s: s + "\x1a",
+        lambda s: s.replace(":units\n  length 1.0\n  angle deg", ":UNITS mass 1.0 length 1.0 angle DEG"),
+        lambda s: s.replace("length 1.0\n  angle deg", "mass 1\n  length 1.0"),
+        lambda s: s.replace("  dof rx\n", "  dof RX\n  limits (-160.0 20.0)\n"),
+        lambda s: s.replace("    dof rx\n", "    limits\n (-160\n 20)\n\n  dof  rx   # one\n"),
+        lambda s: s.replace("  order TX TY TZ RX RY RZ\n  axis XYZ\n", "  axis xyz\n  order tx ty tz rx ry rz\n"),
+        lambda s: s.replace("begin\n    name back", "begin\n  id 1\n  bodymass 3\n  cofmass 0 1 0\n  name back"),
+        lambda s: (
+            s.upper().replace("NAME BACK", "NAME back").replace("NAME HEAD", "NAME head").replace("ROOT B", "root b")
+        ),
+        lambda s: s.replace(":hierarchy\n  begin\n", ":hierarchy\n\n# ours\n  begin\n\n"),
+        lambda s: s.replace("    root back\n    back head\n", "    back head\n    root back\n"),
+        lambda s: s.replace("    axis 0 0 0 XYZ\n    dof rz", "    axis 0 0 0\n    dof rz"),
+        lambda s: s + ":skin x.skn\n:documentation\n  begin\n  made by hand\n",
+    ],
+    ids=[
+        "crlf", "cr", "utf-16", "utf-16-be", "ctrl-z", "units in a line", "no angle", "upper dof", "limits",
+        "root order", "more keys", "upper case", "blank lines", "children first", "no axis letters", "more sections",
+    ],
+)  # fmt: skip
+def test_spellings_of_one_skeleton_are_one(tmp_path, change):
+    expected = respelled(tmp_path)
+    assert respelled(tmp_path, of_asf=change).recordings == expected.recordings
+
+
+@pytest.mark.parametrize(
+    "change",
+    [
+        lambda s: s.replace("\n", "\r"),
+        lambda s: s.encode("utf-16"),
+        lambda s: s.replace("\n", "\n\n"),
+        lambda s: s.replace(":DEGREES\n", "# a remark\n:DEGREES\n:SAMPLES-PER-SECOND 60\n\n"),
+        lambda s: s.replace("back 0\n", "back 0 # still\n# nothing\n"),
+        lambda s: s.replace("root", "ROOT").replace("head", "Head"),
+        lambda s: s.replace("0 0 0\n", "0.0 -0 0e0\n").replace("90\n", "9.0E+01\n"),
+        lambda s: s.replace("\n1\n", "\n0\n").replace("\n2\n", "\n1\n"),
+        lambda s: s.replace(":FULLY-SPECIFIED\n", "").replace(":DEGREES\n", ":degrees\n"),
+        lambda s: s.replace("head 90\n2", "head 90\n  2  "),
+        lambda s: s.replace("root 10", "\troot\t10"),
+    ],
+    ids=[
+        "cr", "utf-16", "blank lines", "header", "remarks", "case", "exponents", "from 0", "degrees alone", "blanks",
+        "tabs",
+    ],
+)  # fmt: skip
+def test_spellings_of_one_motion_are_one(tmp_path, change):
+    expected = respelled(tmp_path)
+    reading = respelled(tmp_path, of_amc=change)
+    assert reading.recordings == expected.recordings
+    assert reading.warnings == ()
+
+
+def test_names_with_blanks(tmp_path):
+    changes = [lambda s: s.replace("back", "lower back").replace("head", "head 2")] * 2
+    motion = respelled(tmp_path, *changes).recordings[0]
+    assert motion.skeleton.names == ("root", "lower back", "head 2")
+    expected = respelled(tmp_path).recordings[0]
+    np.testing.assert_array_equal(motion.local_rotations, expected.local_rotations)
+
+
+@pytest.mark.parametrize("encoding", ["latin-1", "utf-8"])
+def test_a_name_is_the_same_in_either_encoding(tmp_path, encoding):
+    def change(text):
+        return text.replace("back", "rücken").encode(encoding)
+
+    motion = respelled(tmp_path, change, lambda s: s.replace("back", "rücken")).recordings[0]
+    assert motion.skeleton.names == ("root", "rücken", "head")
+
+
+@pytest.mark.parametrize(
+    ("line", "rate"),
+    [(":SAMPLES-PER-SECOND 60.0", 60), ("# fps: 59.94", 59.94), ("#rate 30", 30), ("# 30 takes", None)],
+)
+def test_a_rate_in_the_header_is_read(tmp_path, line, rate):
+    reading = io.open_recording(put(tmp_path, amc=f"{line}\n{AMC}"), unit="m")
+    found = reading.findings["rate"]
+    assert (found.value, found.how) == ((rate, "read") if rate else (120.0, "guessed"))
+
+
+def test_a_bone_without_dofs_may_have_a_line_and_one_with_may_have_none_of_its_own(tmp_path):
+    still = respelled(
+        tmp_path, lambda s: s.replace("    dof rx\n", ""), lambda s: s.replace("back 0\n", "back\n")
+    )
+    silent = respelled(
+        tmp_path, lambda s: s.replace("    dof rx\n", "    dof\n"), lambda s: s.replace("back 0\n", "")
+    )
+    assert still.recordings == silent.recordings == respelled(tmp_path).recordings
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "match"),
+    [
+        (":root\n", ":rood\n", "s.asf: expected a section :root"),
+        ("length 1.0", "length one", "expected a unit of length as a number"),
+        (
+            "dof rx",
+            "dof rx rw",
+            "line 17: expected degrees of freedom of bone back, each of rx.*, found 'rx rw'",
+        ),
+        ("dof rx", "dof rx rx", "line 17: expected degrees of freedom"),
+        ("order TX TY TZ", "order TX TX TZ", "line 7: expected degrees of freedom of bone root"),
+        ("axis XYZ\n  pos", "axis XYX\n  pos", "line 8: expected an order of axes such as XYZ, found 'XYX'"),
+        ("axis XYZ\n  pos", "axis\n  pos", "line 8: expected an order of axes such as XYZ, found ''"),
+        (
+            "axis 0 0 0 XYZ\n    dof rz",
+            "axis 0 0\n    dof rz",
+            "line 23: expected 3 numbers for the axis of head, found 2",
+        ),
+        (
+            "direction 0 1 0",
+            "direction 0 1e300 0",
+            "line 14: expected the direction of back as a number below 1e",
+        ),
+        ("length 2", "length", "line 18: expected a length of bone back before its end"),
+        ("name head", "name back", "line 25: expected every bone once, found 'back' again"),
+        ("name head", "name root", "line 25: expected every bone once, found 'root' again"),
+        ("root back\n", "root tail\n", "line 28: expected bones of the section :bonedata, found 'tail'"),
+        ("root back\n", "back root\n", "line 28: expected a root that hangs on no bone"),
+        (
+            "root back\n",
+            "head back\n",
+            "s.asf: expected every bone to hang on the root, bone 'back' does not",
+        ),
+        ("  begin\n    name", "  name", None),
+    ],
+)
+def test_faults_of_a_skeleton_name_their_line(tmp_path, old, new, match):
+    if match is None:  # a begin that is missing does no harm
+        assert (
+            respelled(tmp_path, lambda s: s.replace(old, new, 1)).recordings == respelled(tmp_path).recordings
+        )
+        return
+    with pytest.raises(FormatError, match=match):
+        respelled(tmp_path, lambda s: s.replace(old, new, 1))
+
+
+def test_a_skeleton_of_very_many_bones_is_read_soon(tmp_path):
+    bone = "begin\nname b{0}\ndirection 0 1 0\nlength 1\nend\n"
+    bones = "".join(bone.format(k) for k in range(5000))
+    chain = "root b4999\n" + "".join(f"b{k + 1} b{k}\n" for k in range(4999))
+    text = f":root\n order tx\n:bonedata\n{bones}:hierarchy\nbegin\n{chain}end\n"
+    (tmp_path / "s.asf").write_text(text)
+    with bounded(3):
+        skeleton = read_asf(Source(tmp_path / "s.asf", text.encode()))
+    assert skeleton.parents[:3] == (-1, 0, 1)
+    assert skeleton.names[:3] == ["root", "b4999", "b4998"]

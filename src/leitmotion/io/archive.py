@@ -16,8 +16,8 @@ import io
 import json
 import math
 import re
+import warnings
 import zipfile
-import zlib
 from importlib import import_module
 from os import PathLike
 from pathlib import Path
@@ -125,7 +125,7 @@ def from_bytes(content: bytes, name: str) -> Any:
     except FormatError as error:
         raise FormatError(f"{name}: {error.message}", remedy=error.remedy) from None
     except (LeitmotionError, LookupError, TypeError, ValueError, ArithmeticError, RecursionError) as error:
-        raise FormatError(f"{name} is damaged: {error}") from None
+        raise FormatError(f"{name} is damaged: {_sentence(error)}") from None
     except AttributeError:  # a part of another type than its noun asks for
         raise FormatError(f"{name} is damaged: a part of its header is of a wrong type.") from None
 
@@ -243,27 +243,23 @@ def _members(content: bytes, name: str) -> tuple[dict[str, Any], dict[str, np.nd
             promised = sum(member.file_size for member in box.infolist())
             if promised > _INFLATION * len(content) + (64 << 20):
                 raise FormatError(f"{name} promises {promised / 1e9:.1f} GB, more than such a file can hold.")
-        with np.load(io.BytesIO(content), allow_pickle=False) as box:
+        with np.load(io.BytesIO(content), allow_pickle=False) as box, warnings.catch_warnings():
+            warnings.simplefilter("ignore")  # of a header that looks as Python 2 wrote it
             if _HEADER not in box.files:
                 raise FormatError(
                     f"{name} is a NumPy archive without Leitmotion's header: it holds {', '.join(box.files[:8])}.",
                     remedy="Save the points as CSV with the columns time, NAME_x, NAME_y, NAME_z.",
                 )
-            header = json.loads(box[_HEADER].tobytes().decode("utf-8"))
+            header = json.loads(np.asarray(box[_HEADER]).tobytes().decode("utf-8"))
             arrays = {key: box[key] for key in box.files if key != _HEADER}
     except FormatError:
         raise
-    except (
-        ValueError,
-        OSError,
-        KeyError,
-        EOFError,
-        MemoryError,
-        RuntimeError,
-        zipfile.BadZipFile,
-        zlib.error,
-    ) as error:
-        raise FormatError(f"{name} is no archive or is damaged: {error}") from None
+    except Exception as error:  # of what is damaged NumPy raises anything, from SyntaxError to OverflowError
+        raise FormatError(f"{name} is no archive or is damaged: {_sentence(error)}") from None
     if not isinstance(header, dict):
         raise FormatError(f"{name}: expected a header with names, found a {type(header).__name__}.")
     return header, arrays
+
+
+def _sentence(error: Exception) -> str:
+    return f"{str(error).rstrip('.') or type(error).__name__}."

@@ -1,4 +1,4 @@
-"""ASF: the skeleton of an Acclaim recording, and where to find the one that belongs to an AMC.
+"""ASF: the skeleton of an Acclaim recording.
 
 Conventions
 -----------
@@ -10,19 +10,28 @@ are parallel to the world's at rest.
 
 from __future__ import annotations
 
-import re
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
-from pathlib import Path
+from heapq import heappop, heappush
+from itertools import pairwise
+from typing import NamedTuple
 
 import numpy as np
 
-from leitmotion.io.containers import bare, listing
 from leitmotion.io.reading import Source
-from leitmotion.motion import FormatError, rotations
+from leitmotion.motion import rotations
 
 ROOT = "root"
 _DOFS = ("rx", "ry", "rz", "tx", "ty", "tz", "l")
-_PARENTS = 3  # how many folders above the AMC are searched
+_WORDS = 8  # of the longest name
+_LARGEST = 1e12  # of a length or an angle
+
+
+class Line(NamedTuple):
+    """A line of an ASF without its comment: the byte at which it begins, and its words."""
+
+    position: int
+    words: list[str]
 
 
 @dataclass(frozen=True)
@@ -71,12 +80,12 @@ def read_asf(source: Source) -> Acclaim:
         When a section is missing or a bone is not what the format says.
     """
     sections = _sections(source)
-    units = dict(_pairs(sections.get("units", [])))
-    degrees = units.get("angle", "deg").lower().startswith("deg")
-    scale = _number(source, units.get("length", "1"), "a length unit")
-    root, position = _root(source, sections, degrees)
-    bones = [root, *_bones(source, sections, degrees)]
-    parents = _parents(source, sections, [bone.name for bone in bones])
+    units = _units(sections.get("units", []))
+    degrees = not units.get("angle", "deg").lower().startswith("rad")
+    scale = _number(source, 0, units.get("length", "1"), "a unit of length")
+    root, position = _root(source, sections["root"], degrees)
+    bones = [root, *_bones(source, sections["bonedata"], degrees)]
+    parents = _parents(source, sections["hierarchy"], [bone.name for bone in bones])
     order = _parents_first(source, bones, parents)
     place = {old: new for new, old in enumerate(order)}
     return Acclaim(
@@ -88,131 +97,108 @@ def read_asf(source: Source) -> Acclaim:
     )
 
 
-def find_asf(amc: Path) -> tuple[Path, str]:
-    """Find the ASF that belongs to an AMC.
+def spellings(names: Iterable[str]) -> dict[str, str]:
+    """Map every way to spell a name, as it is or in lower case, to the name; the former goes first."""
+    names = list(names)
+    return {name.lower(): name for name in reversed(names)} | {name: name for name in names}
 
-    In the AMC's folder, then in up to three folders above, the one whose name shares the longest leading tokens with
-    the AMC's (``86_09`` → ``86``, ``HDM_mm_…`` → ``HDM_mm``); where none shares any, the only one there.
+
+def name_at_start(words: list[str], spelled: Mapping[str, str]) -> tuple[str, int] | None:
+    """Tell which bone the words begin with; its name may hold blanks, and be written in another case.
 
     Parameters
     ----------
-    amc : Path
-        The recording.
+    words : list of str
+        What a line is made of.
+    spelled : mapping of str
+        The bones by their :func:`spellings`.
 
     Returns
     -------
-    tuple of Path and str
-        The skeleton, and why it is this one.
+    tuple of str and int, or None
+        The bone's name and of how many words it is; None where it is none of the bones.
 
-    Raises
-    ------
-    FormatError
-        When there is none, or several and none fits; it lists them.
+    Examples
+    --------
+    >>> name_at_start(["LEFT", "foot", "1.5"], spellings(["left", "left foot"]))
+    ('left foot', 2)
     """
-    wanted = _tokens(amc)
-    seen: list[Path] = []
-    folder = amc.resolve().parent
-    for _ in range(_PARENTS + 1):
-        here = sorted(p for p in listing(folder) if bare(p).suffix.lower() == ".asf")
-        scored = [(_shared(wanted, _tokens(path)), path) for path in here]
-        best = max((score for score, _ in scored), default=0)
-        if best > 0:
-            nearest = next(path for score, path in scored if score == best)
-            return nearest, "its name shares the longest beginning with the AMC's"
-        seen += here
-        if folder.parent == folder:
-            break
-        folder = folder.parent
-    if len(seen) == 1:
-        return seen[0], "it is the only ASF file in the AMC's folder and above"
-    found = f"{len(seen)} of other names: {', '.join(p.name for p in seen[:8])}" if seen else "none"
-    raise FormatError(
-        f"{amc.name}: expected its skeleton, an ASF file that starts like it, in its folder or up to three above, "
-        f"found {found}.",
-        remedy="Name it with --skeleton FILE (skeleton= in Python).",
-    )
+    for count in range(min(len(words), _WORDS), 0, -1):
+        told = " ".join(words[:count])
+        name = spelled.get(told) or spelled.get(told.lower())
+        if name is not None:
+            return name, count
+    return None
 
 
-def _tokens(path: Path) -> list[str]:
-    return [token for token in re.split(r"[_\-\s.]+", bare(path).stem.lower()) if token]
-
-
-def _shared(wanted: list[str], offered: list[str]) -> int:
-    """Leading tokens in common, times two; minus one if the skeleton's name goes on otherwise."""
-    count = 0
-    for a, b in zip(wanted, offered):
-        if a != b:
-            break
-        count += 1
-    return 0 if count == 0 else 2 * count - (count < len(offered))
-
-
-def _sections(source: Source) -> dict[str, list[list[str]]]:
-    sections: dict[str, list[list[str]]] = {}
-    current: list[list[str]] = []
-    for line in source.content.decode("utf-8", "replace").splitlines():
-        words = line.split("#", 1)[0].split()
-        if not words:
-            continue
-        if words[0].startswith(":"):
+def _sections(source: Source) -> dict[str, list[Line]]:
+    sections: dict[str, list[Line]] = {}
+    current: list[Line] = []
+    for position, line in source.lines():
+        words = line.decode("utf-8", "replace").split("#", 1)[0].split()
+        if words and words[0].startswith(":"):
             current = sections.setdefault(words[0][1:].lower(), [])
-            if len(words) > 1:
-                current.append(words[1:])
-        else:
-            current.append(words)
+            del words[0]
+        if words:
+            current.append(Line(position, words))
     for name in ("root", "bonedata", "hierarchy"):
         if name not in sections:
             raise source.error(f"expected a section :{name} of an ASF skeleton, found none.")
     return sections
 
 
-def _pairs(lines: list[list[str]]) -> list[tuple[str, str]]:
-    return [(words[0].lower(), words[1]) for words in lines if len(words) > 1]
+def _units(lines: list[Line]) -> dict[str, str]:
+    words = [word for line in lines for word in line.words]
+    return {key.lower(): value for key, value in pairwise(words) if key.lower() in ("length", "angle")}
 
 
-def _root(source: Source, sections: dict[str, list[list[str]]], degrees: bool) -> tuple[Bone, np.ndarray]:
-    lines = {words[0].lower(): words[1:] for words in sections["root"]}
-    dofs = tuple(word.lower() for word in lines.get("order", ["tx", "ty", "tz", "rx", "ry", "rz"]))
-    _check_dofs(source, ROOT, dofs)
-    order = lines.get("axis", ["XYZ"])[0].lower()
-    angles = _numbers(source, lines.get("orientation", ["0"] * 3), 3, "root orientation")
-    position = _numbers(source, lines.get("position", ["0"] * 3), 3, "root position")
-    return Bone(ROOT, np.zeros(3), 0.0, fixed_axes(order, angles, degrees), dofs), position
+def _root(source: Source, lines: list[Line], degrees: bool) -> tuple[Bone, np.ndarray]:
+    told = {line.words[0].lower(): Line(line.position, line.words[1:]) for line in lines}
+    order = told.get("order", Line(0, ["tx", "ty", "tz", "rx", "ry", "rz"]))
+    axis = told.get("axis", Line(0, ["xyz"]))
+    zeros = Line(0, ["0", "0", "0"])
+    angles = _numbers(source, told.get("orientation", zeros), "root orientation")
+    position = _numbers(source, told.get("position", zeros), "root position")
+    letters = _letters(source, axis.position, " ".join(axis.words))
+    turn = fixed_axes(letters, angles, degrees)
+    return Bone(ROOT, np.zeros(3), 0.0, turn, _dofs(source, ROOT, order)), position
 
 
-def _bones(source: Source, sections: dict[str, list[list[str]]], degrees: bool) -> list[Bone]:
-    bones = []
-    entry: dict[str, list[str]] = {}
-    for words in sections["bonedata"]:
+def _bones(source: Source, lines: list[Line], degrees: bool) -> list[Bone]:
+    bones: dict[str, Bone] = {}
+    entry: dict[str, Line] = {}
+    for position, words in lines:
         key = words[0].lower()
         if key == "begin":
             entry = {}
         elif key == "end":
-            bones.append(_bone(source, entry, degrees))
+            bone = _bone(source, position, entry, degrees)
+            if bone.name in bones or bone.name.lower() == ROOT:
+                raise source.fault(position, "every bone once", f"{bone.name!r} again")
+            bones[bone.name] = bone
         else:
-            entry[key] = words[1:]
+            entry[key] = Line(position, words[1:])
     if not bones:
         raise source.error("expected bones between begin and end, found none.")
-    return bones
+    return list(bones.values())
 
 
-def _bone(source: Source, entry: dict[str, list[str]], degrees: bool) -> Bone:
-    name = " ".join(entry.get("name", []))
+def _bone(source: Source, end: int, entry: dict[str, Line], degrees: bool) -> Bone:
+    name = " ".join(entry["name"].words) if "name" in entry else ""
     for key in ("name", "direction", "length"):
-        if not entry.get(key):
-            raise source.error(f"expected a {key} of bone {name or '?'}, found none.")
-    direction = _numbers(source, entry["direction"], 3, f"direction of {name}")
+        if key not in entry or not entry[key].words:
+            raise source.fault(end, f"a {key} of bone {name or '?'} before its end", "none")
+    direction = _numbers(source, entry["direction"], f"direction of {name}")
     norm = np.linalg.norm(direction)
-    axis = entry.get("axis", ["0", "0", "0", "XYZ"])
-    order = axis[3].lower() if len(axis) > 3 else "xyz"
-    dofs = tuple(word.lower() for word in entry.get("dof", []))
-    _check_dofs(source, name, dofs)
+    length = entry["length"]
+    axis = entry.get("axis", Line(0, ["0", "0", "0"]))
+    letters = _letters(source, axis.position, " ".join(axis.words[3:]) or "xyz")
     return Bone(
         name,
         direction / norm if norm > 0 else direction,
-        _number(source, entry["length"][0], f"a length of {name}"),
-        fixed_axes(order, _numbers(source, axis[:3], 3, f"axis of {name}"), degrees),
-        dofs,
+        _number(source, length.position, length.words[0], f"a length of {name}"),
+        fixed_axes(letters, _numbers(source, axis, f"axis of {name}"), degrees),
+        _dofs(source, name, entry.get("dof", Line(0, []))),
     )
 
 
@@ -237,55 +223,70 @@ def fixed_axes(order: str, angles: np.ndarray, degrees: bool) -> np.ndarray:
     return rotations.from_euler(order[::-1], angles[..., ::-1])
 
 
-def _parents(source: Source, sections: dict[str, list[list[str]]], names: list[str]) -> list[int]:
-    index = {name: k for k, name in enumerate(names)}
+def _parents(source: Source, lines: list[Line], names: list[str]) -> list[int]:
+    index, spelled = {name: k for k, name in enumerate(names)}, spellings(names)
     parents = [-1] * len(names)
-    for words in sections["hierarchy"]:
+    for position, words in lines:
         if words[0].lower() in ("begin", "end") and len(words) == 1:
             continue
-        for name in words:
-            if name not in index:
-                raise source.error(f"expected bones of the section :bonedata in :hierarchy, found {name!r}.")
-        for child in words[1:]:
-            parents[index[child]] = index[words[0]]
+        family = []
+        while words:
+            named = name_at_start(words, spelled)
+            if named is None:
+                raise source.fault(position, "bones of the section :bonedata", repr(words[0]))
+            family.append(index[named[0]])
+            words = words[named[1] :]
+        for child in family[1:]:
+            if child == 0:
+                raise source.fault(position, "a root that hangs on no bone", " ".join(words) or ROOT)
+            parents[child] = family[0]
     return parents
 
 
 def _parents_first(source: Source, bones: list[Bone], parents: list[int]) -> list[int]:
     """Order of bones in which each stands after its parent, else as in the file."""
-    order: list[int] = [0]
-    waiting = list(range(1, len(bones)))
-    while waiting:
-        ready = [k for k in waiting if parents[k] in order]
-        if not ready:
-            raise source.error(
-                f"expected every bone to hang on the root, bone {bones[waiting[0]].name!r} does not."
-            )
-        k = ready[0]
-        order.append(k)
-        waiting.remove(k)
+    children: list[list[int]] = [[] for _ in bones]
+    for child, parent in enumerate(parents):
+        if parent >= 0:
+            children[parent].append(child)
+    order, ready = [], [0]
+    while ready:
+        order.append(heappop(ready))
+        for child in children[order[-1]]:
+            heappush(ready, child)
+    if len(order) < len(bones):
+        loose = min(set(range(len(bones))) - set(order))
+        raise source.error(f"expected every bone to hang on the root, bone {bones[loose].name!r} does not.")
     return order
 
 
-def _check_dofs(source: Source, name: str, dofs: tuple[str, ...]) -> None:
-    for dof in dofs:
-        if dof not in _DOFS:
-            raise source.error(
-                f"expected degrees of freedom {', '.join(_DOFS)} of bone {name}, found {dof!r}."
-            )
+def _dofs(source: Source, name: str, line: Line) -> tuple[str, ...]:
+    dofs = tuple(word.lower() for word in line.words)
+    for k, dof in enumerate(dofs):
+        if dof not in _DOFS or dof in dofs[:k]:
+            expected = f"degrees of freedom of bone {name}, each of {', '.join(_DOFS)} once"
+            raise source.fault(line.position, expected, repr(" ".join(line.words)))
+    return dofs
 
 
-def _number(source: Source, word: str, what: str) -> float:
+def _letters(source: Source, position: int, word: str) -> str:
+    letters = word.lower()
+    if sorted(letters) != ["x", "y", "z"]:
+        raise source.fault(position, "an order of axes such as XYZ", repr(word))
+    return letters
+
+
+def _number(source: Source, position: int, word: str, what: str) -> float:
     try:
         value = float(word)
     except ValueError:
         value = np.nan
-    if not np.isfinite(value):
-        raise source.error(f"expected {what} as a number, found {word!r}.")
+    if not abs(value) < _LARGEST:
+        raise source.fault(position, f"{what} as a number below {_LARGEST:.0e}", repr(word))
     return value
 
 
-def _numbers(source: Source, words: list[str], count: int, what: str) -> np.ndarray:
-    if len(words) < count:
-        raise source.error(f"expected {count} numbers for the {what}, found {len(words)}.")
-    return np.array([_number(source, word, f"the {what}") for word in words[:count]])
+def _numbers(source: Source, line: Line, what: str) -> np.ndarray:
+    if len(line.words) < 3:
+        raise source.fault(line.position, f"3 numbers for the {what}", str(len(line.words)))
+    return np.array([_number(source, line.position, word, f"the {what}") for word in line.words[:3]])

@@ -1,7 +1,7 @@
 """ASF/AMC: Acclaim motion, a skeleton file and a file of frames.
 
 A bone of an ASF is the joint at its *proximal* end: the joint ``lfemur`` is the left hip. The tip of a bone that has no
-child is an end site. AMC states neither rate nor unit. The skeleton that Vicon BodyBuilder wrote for the CMU and
+child is an end site. AMC states no unit, and seldom a rate. The skeleton that Vicon BodyBuilder wrote for the CMU and
 HDM05 archives is known by its bones: 120 Hz, and one unit of length is 1/0.45 inch.
 
 References
@@ -13,11 +13,14 @@ References
 from __future__ import annotations
 
 import re
+from collections.abc import Mapping
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 
-from leitmotion.io.asf import Acclaim, find_asf, fixed_axes, read_asf
+from leitmotion.io.asf import Acclaim, fixed_axes, name_at_start, read_asf, spellings
+from leitmotion.io.asf_search import find_asf
 from leitmotion.io.containers import read_file
 from leitmotion.io.numerals import as_bytes, settle
 from leitmotion.io.reading import Draft, Finding, SkeletonTake, Source, glimpse
@@ -63,6 +66,11 @@ BODYBUILDER = frozenset(
 
 _USUAL_RATE = 120.0
 _HEAD = 4096  # bytes that hold the header
+_REMARK = re.compile(rb"#[^\n]*")
+_RATE = re.compile(
+    rb"^[ \t]*[:#][ \t]*(samples[-_ ]per[-_ ]second|frame[-_ ]?rate|rate|fps)[ \t]*[:=]?[ \t]*(\d+\.?\d*)",
+    re.IGNORECASE | re.MULTILINE,
+)
 
 
 def read(source: Source) -> Draft:
@@ -96,7 +104,7 @@ def read(source: Source) -> Draft:
         )
     return Draft(
         [_take(acclaim, channels, dofs, degrees=_degrees(source, acclaim))],
-        rate=Finding(_USUAL_RATE, "guessed", "an AMC states no rate; the CMU and HDM05 archives have 120 Hz"),
+        rate=_rate(source),
         unit=unit,
         up=Finding("y", "guessed", "an ASF states no vertical, and Y is the format's usual one"),
         up_may_err=not known,
@@ -118,15 +126,18 @@ def _channels(
     """Numbers of all frames (T, N), and for each bone its first column and its degrees of freedom."""
     from leitmotion.io import _kernels
 
-    start, labels = _first_frame(source)
+    source = _without_remarks(source)
     known = {bone.name: bone.dofs for bone in acclaim.bones}
+    spelled = spellings(known)
+    start, labels = _first_frame(source, spelled)
     dofs: dict[str, tuple[int, tuple[str, ...]]] = {}
     column = 0
     for label in labels:
-        if label not in known:
-            raise source.fault(start, "bones of the skeleton", f"{label!r}", remedy=_OTHER_SKELETON)
-        dofs[label] = (column, known[label])
-        column += len(known[label])
+        name, _ = name_at_start(label.split(), spelled) or ("", 0)
+        if not name:
+            raise source.fault(start, "bones of the skeleton", repr(label), remedy=_OTHER_SKELETON)
+        dofs[name] = (column, known[name])
+        column += len(known[name])
     for name, needed in known.items():
         if needed and name not in dofs:
             raise source.fault(
@@ -141,7 +152,7 @@ def _channels(
     doubts = np.empty((values.size, 3), dtype=np.int64)
     words = [label.encode("utf-8", "replace") for label in labels]
     borders = np.cumsum([0, *map(len, words)])
-    counts = np.array([len(dofs[label][1]) for label in labels])
+    counts = np.array([len(channels) for _, channels in dofs.values()])
     frames, doubtful, status, stopped, bone = _kernels.scan_amc(
         as_bytes(content), start, as_bytes(b"".join(words)), borders, counts, values, numbers, doubts
     )
@@ -158,33 +169,34 @@ def _channels(
 _OTHER_SKELETON = "The recording was made with another skeleton: name its ASF with --skeleton FILE."
 
 
-def _first_frame(source: Source) -> tuple[int, list[str]]:
-    """Byte where the first frame begins, and its bones in the order of its lines."""
-    content = source.content
-    position = 0
+def _without_remarks(source: Source) -> Source:
+    """The file with blanks in place of its comments, so that every byte keeps its place."""
+    return replace(source, content=_REMARK.sub(lambda match: b" " * len(match[0]), source.content))
+
+
+def _first_frame(source: Source, spelled: Mapping[str, str]) -> tuple[int, list[str]]:
+    """Byte where the first frame begins, and its bones in the order of its lines, as they are written."""
     start = -1
-    labels: list[str] = []
-    while position < len(content):
-        end = content.find(b"\n", position)
-        end = len(content) if end < 0 else end
-        words = content[position:end].split(None, 1)
-        if words and words[0].isdigit() and len(words) == 1:
+    labels: dict[str, None] = {}
+    for position, line in source.lines():
+        words = line.decode("utf-8", "replace").split()
+        if len(words) == 1 and line.strip().isdigit():
             if start >= 0:
                 break
             start = position
+        elif words and start < 0 and not words[0].startswith(":"):
+            raise source.fault(
+                position, "the number of the first frame", glimpse(line), remedy="Is this an AMC file?"
+            )
         elif words and start >= 0:
-            label = words[0].decode("utf-8", "replace")
+            _, count = name_at_start(words, spelled) or ("", 1)
+            label = " ".join(words[:count])
             if label in labels:
                 raise source.fault(position, "every bone once a frame", f"{label!r} again")
-            labels.append(label)
-        elif words and not words[0].startswith((b"#", b":")):
-            raise source.fault(
-                position, "the number of the first frame", glimpse(content[position:end]), remedy="Is this an AMC file?"
-            )  # fmt: skip
-        position = end + 1
+            labels[label] = None
     if start < 0 or not labels:
         raise source.error("expected frames, a number and a line for each bone, found none.")
-    return start, labels
+    return start, list(labels)
 
 
 def _explain(
@@ -217,6 +229,14 @@ def _check_numbers(numbers: np.ndarray, warnings: list[str]) -> None:
             f"Frame numbers are not consecutive at {jumps.size} places, first where {numbers[k + 1]} follows "
             f"{numbers[k]}; the frames were taken as they stand."
         )
+
+
+def _rate(source: Source) -> Finding:
+    """What some programs write into the header or a comment, else what the large archives have."""
+    stated = _RATE.search(source.content[:_HEAD])
+    if stated is not None and float(stated[2]) > 0:
+        return Finding(float(stated[2]), "read", f"stated as {stated[1].decode()}")
+    return Finding(_USUAL_RATE, "guessed", "the AMC states no rate; the CMU and HDM05 archives have 120 Hz")
 
 
 def _degrees(source: Source, acclaim: Acclaim) -> bool:

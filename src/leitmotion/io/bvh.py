@@ -23,6 +23,7 @@ from leitmotion.motion import Motion, ParameterError, rotations
 
 _NTSC = (24000 / 1001, 30000 / 1001, 60000 / 1001, 120000 / 1001)
 _USUAL = (24, 25, 30, 50, 60, 90, 100, 120, 150, 200, 240, 250, 300, 480, 500, 1000)
+_SHORTEST = 1e-6  # seconds that a frame may last
 _SNAP = 0.02  # how far, relatively, a rate may lie from the reciprocal of its frame time
 _ROUNDED = 2e-3  # how far, relatively, milliseconds may lie from those of a usual rate
 
@@ -103,11 +104,12 @@ def frame_rate(text: str, source: Source) -> Finding:
         seconds = float(text.replace(",", "."))
     except ValueError:
         seconds = np.nan
-    if source.options.rate is not None and not (np.isfinite(seconds) and seconds > 0):
+    if source.options.rate is not None and not _SHORTEST <= seconds < np.inf:
         return Finding(source.options.rate, "given", "rate given by the caller")
-    if not (np.isfinite(seconds) and seconds > 0):
+    if not _SHORTEST <= seconds < np.inf:
         raise source.error(
-            f"expected a frame time above 0 s, found {text!r}.", remedy="State the rate with --rate HZ."
+            f"expected a frame time above 0 s, found {glimpse(text.encode())}.",
+            remedy="State the rate with --rate HZ.",
         )
     exact = 1.0 / seconds
     mantissa, _, power = text.lower().partition("e")

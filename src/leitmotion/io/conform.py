@@ -8,9 +8,14 @@ from __future__ import annotations
 import numpy as np
 
 from leitmotion.io.judge import contradict_up, judge_sides, judge_unit, judge_up, look, makes_an_adult
-from leitmotion.io.reading import Draft, Finding, Options, PointTake, SkeletonTake
+from leitmotion.io.reading import Draft, Finding, Options, PointTake, SkeletonTake, Source
 from leitmotion.io.units import METRES, unit_in_metres
 from leitmotion.motion import Motion, ParameterError, Skeleton, Trajectories
+
+FARTHEST = 1e12
+"""No unit that is known puts anything on a person as far from the origin."""
+FASTEST = 1e6
+"""Hertz of the highest rate that is believed."""
 
 IMAGE_UNITS = ("px", "relative")
 """Units of points that are not in metres and stay as they are."""
@@ -26,6 +31,69 @@ _TO_Y_UP = {
     "-x": ((0, 1, 0), (-1, 0, 0), (0, 0, 1)),
 }
 """For each vertical the turn that brings it to +Y; with Z up, facing -Y becomes facing +Z."""
+
+
+def refuse_useless(source: Source, draft: Draft) -> None:
+    """Refuse a draft that no noun can be made of: nobody, no frame, a joint nowhere, a rate that cannot be.
+
+    Parameters
+    ----------
+    source : Source
+        The file, for the error.
+    draft : Draft
+        What the reader found; points out of all reach become unseen, with a warning.
+
+    Raises
+    ------
+    FormatError
+        When there is nothing to make a noun of; it says what is missing and where.
+    """
+    if not draft.takes or not all(take.names for take in draft.takes):
+        raise source.error("expected a person, found nobody.")
+    if not all(len(take.positions) for take in draft.takes):
+        raise source.error("expected at least one frame, found none.")
+    rate = draft.rate.value
+    if source.options.rate is None and not 0 < rate <= FASTEST:
+        raise source.error(
+            f"expected a rate of up to {FASTEST:.0e} Hz, found {rate:.3g} Hz.",
+            remedy="State it with --rate HZ.",
+        )
+    for take in draft.takes:
+        if isinstance(take, SkeletonTake):
+            _check_joints(source, take)
+        else:
+            _unsee_far(take, draft.warnings)
+
+
+def _check_joints(source: Source, take: SkeletonTake) -> None:
+    """A skeleton is complete: refuse a joint that has no place or no rotation, or is out of all reach."""
+    for what, values in (("offset", take.offsets[None]), ("end site", take.end_offsets[None]),
+                         ("place", take.positions), ("rotation", take.rotations)):  # fmt: skip
+        if not values.size or (values.min() > -FARTHEST and values.max() < FARTHEST):  # NaN fails both
+            continue
+        frame, joint = np.argwhere(~(np.abs(values) < FARTHEST).all(axis=-1))[0]
+        name = take.names[take.end_parents[joint] if what == "end site" else joint]
+        where = f" in frame {frame}" if what in ("place", "rotation") else ""
+        raise source.error(
+            f"expected a {what} of joint {name!r}{where}, found {_spell(values[frame, joint])}.",
+            remedy="A skeleton has no gaps: fill them in the program that made the file.",
+        )
+
+
+def _spell(numbers: np.ndarray) -> str:
+    return ", ".join(f"{number:g}" for number in numbers)
+
+
+def _unsee_far(take: PointTake, warnings: list[str]) -> None:
+    # a maximum first: comparing every number takes ten times as long, and few files hold such a one
+    seen = np.abs(take.positions)
+    if not seen.size or not np.fmax.reduce(seen, axis=None) >= FARTHEST:
+        return
+    far = (seen >= FARTHEST).any(axis=-1)
+    take.positions = np.where(far[..., None], np.nan, take.positions)
+    warnings.append(
+        f"{int(far.sum())} places lie beyond {FARTHEST:.0e} from the origin and were taken as unseen."
+    )
 
 
 def conform(

@@ -231,14 +231,16 @@ def _archive(file: Path) -> Iterator[zipfile.ZipFile]:
 def _members(file: Path) -> dict[str, zipfile.ZipInfo]:
     """The files in an archive by name, without what the system that packed it left there for itself."""
     with _archive(file) as box:
-        infos = {info.filename.replace("\\", "/"): info for info in box.infolist() if not info.is_dir()}
+        infos = {info.filename.replace("\\", "/"): info for info in box.infolist()}
     for name in infos:
         if name.startswith("/") or ".." in name.split("/") or "\0" in name:
             raise FormatError(
                 f"{file.name} names a file outside itself, {name!r}, and was not read.",
                 remedy="Get it from somewhere else.",
             )
-    return {name: info for name, info in infos.items() if not _is_junk(name)}
+    return {
+        name: info for name, info in infos.items() if name and not name.endswith("/") and not _is_junk(name)
+    }
 
 
 def _is_junk(name: str) -> bool:

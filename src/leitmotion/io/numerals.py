@@ -28,6 +28,8 @@ MISSING_WORDS = frozenset(
 )
 """What programs write where a number is missing, in lower case and without sign."""
 
+_LARGEST = 1e150  # the square of a larger number is infinite
+_GAP = "A skeleton has no gaps: fill them in the program that made the file."
 _ROOM = 64  # how many numbers a byte of a table may stand for before it is refused
 
 
@@ -81,7 +83,7 @@ def read_rows(
     Raises
     ------
     FormatError
-        When a row is longer or shorter or holds something else.
+        When a row is longer or shorter or holds something else, or a number whose square is infinite.
     """
     from leitmotion.io import _kernels
 
@@ -145,8 +147,10 @@ def settle(source: Source, values: np.ndarray, doubts: np.ndarray, *, missing: b
             number = math.nan if b"_" in token else float(token)
         except ValueError:
             number = math.nan
-        if not math.isfinite(number):
-            if not (missing and token.lower().lstrip(b"+-") in MISSING_WORDS):
-                raise source.fault(start, "a number", glimpse(token))
+        if not abs(number) < _LARGEST:
+            absent = token.lower().lstrip(b"+-") in MISSING_WORDS
+            if not (missing and absent):
+                expected = f"a number below {_LARGEST:.0e}" if math.isfinite(number) else "a number"
+                raise source.fault(start, expected, glimpse(token), remedy=_GAP if absent else "")
             number = math.nan
         flat[place] = number

@@ -7,7 +7,7 @@ else: numbers stay in the file's unit and axes, and what the format does not say
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from os import PathLike
 from pathlib import Path
@@ -80,6 +80,15 @@ class Source:
     path: Path
     content: bytes
     options: Options = field(default_factory=Options)
+
+    def lines(self) -> Iterator[tuple[int, bytes]]:
+        """Give the lines one after the other, each with the byte at which it begins."""
+        position = 0
+        while position < len(self.content):
+            stop = self.content.find(b"\n", position)
+            stop = len(self.content) if stop < 0 else stop
+            yield position, self.content[position:stop]
+            position = stop + 1
 
     def line_of(self, position: int) -> int:
         """Count the lines up to the one that holds the byte at `position`, from 1."""

@@ -13,7 +13,7 @@ from os import PathLike
 from pathlib import Path
 
 from leitmotion.io.companions import first_frame_in
-from leitmotion.io.conform import conform
+from leitmotion.io.conform import conform, refuse_useless
 from leitmotion.io.containers import exists, read_file
 from leitmotion.io.formats import Format, readable, recognise
 from leitmotion.io.points import distinct
@@ -145,7 +145,9 @@ def _open(path: Path, window: tuple[str, str] | None, options: Options, person: 
     warnings: list[str] = []
     if form.text:
         content = as_text(path, content, warnings)
-    draft = form.read(Source(path, content, options))
+    opened = Source(path, content, options)
+    draft = form.read(opened)
+    refuse_useless(opened, draft)
     draft.warnings += warnings
     for take, own in zip(draft.takes, distinct([take.person for take in draft.takes], draft.warnings)):
         take.person = own
