@@ -88,7 +88,21 @@ FORMATS = (
     Format("Qualisys TSV", (".tsv",), "qualisys", lambda head: _module("qualisys").looks(head), text=True),
     Format("UI-PRMD", (".txt", ".csv"), "uiprmd", lambda head: _module("uiprmd").looks(head), text=True),
     Format("Kinect table", (".csv", ".txt"), "kinect", lambda head: _module("kinect").looks(head), text=True),
-    Format("table", (".csv", ".tsv", ".txt"), "table", lambda head: _module("table").looks(head), text=True),
+    Format("Motive CSV", (".csv",), "motive", lambda head: _module("motive").looks(head), text=True),
+    Format("Nexus CSV", (".csv",), "nexus", lambda head: _module("nexus").looks(head), text=True),
+    Format(
+        "DeepLabCut CSV", (".csv",), "deeplabcut", lambda head: _module("deeplabcut").looks(head), text=True
+    ),
+    Format("table", (".tsv", ".txt"), "table", text=True),
+    Format(
+        "table",
+        (".csv",),
+        "table",
+        lambda head: _module("table").looks(head),
+        writer="table_writer",
+        text=True,
+    ),
+    Format("Parquet", (".parquet",), "parquet", lambda head: head.startswith(b"PAR1"), writer="parquet"),
     Format("AMASS", (".npz",), "amass", lambda head: _module("amass").looks(head)),
     Format(
         "archive",

@@ -23,7 +23,21 @@ _STEADY = 0.08  # how far, of the body's size, the lowest point may wander on a 
 _GROUND = 0.2  # how far, of the body's size, a ground may lie from zero
 _UPRIGHT = 0.8  # share of the way from feet to head that must lie along one axis
 
-_HIGH = ("head", "fhd", "bhd", "neck", "c7", "clav", "shoulder", "sho", "acro", "chest", "thorax", "ster")
+_HIGH = (
+    "head",
+    "nose",
+    "fhd",
+    "bhd",
+    "neck",
+    "c7",
+    "clav",
+    "shoulder",
+    "sho",
+    "acro",
+    "chest",
+    "thorax",
+    "ster",
+)
 _LOW = (
     "foot",
     "feet",
@@ -86,6 +100,12 @@ def judge_up(positions: np.ndarray, take: SkeletonTake | PointTake) -> Finding:
     words = [name.lower() for name in take.names]
     high = [k for k, word in enumerate(words) if any(part in word for part in _HIGH)]
     low = [k for k, word in enumerate(words) if any(part in word for part in _LOW)]
+    if len(axes) == 2:
+        rise = _median(_mean(positions[:, high]) - _mean(positions[:, low])) if high and low else np.zeros(2)
+        seen = _along(axes, rise)
+        if seen.endswith("y"):
+            return Finding(seen, "guessed", "the head is above the feet along it")
+        return Finding("-y", "guessed", "points in a picture, whose rows count downwards")
     if high and low:
         seen = _along(axes, _median(_mean(positions[:, high]) - _mean(positions[:, low])))
         rest = ""

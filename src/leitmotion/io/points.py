@@ -12,7 +12,9 @@ OTHERS = "others"
 _CHUNK = 1 << 15  # points that are looked at at a time
 
 
-def split_people(names: list[str], positions: np.ndarray, kind: str = "marker") -> list[PointTake]:
+def split_people(
+    names: list[str], positions: np.ndarray, kind: str = "marker", confidence: np.ndarray | None = None
+) -> list[PointTake]:
     """Part points named ``SUBJECT:NAME`` by their subject, and take the subject off the names.
 
     Parameters
@@ -23,6 +25,8 @@ def split_people(names: list[str], positions: np.ndarray, kind: str = "marker") 
         Where each is.
     kind : {"marker", "joint"}
         What they are.
+    confidence : (T, P) float, optional
+        How sure the source was of each.
 
     Returns
     -------
@@ -34,9 +38,15 @@ def split_people(names: list[str], positions: np.ndarray, kind: str = "marker") 
         subjects.setdefault(name.rpartition(":")[0], []).append(k)
     if len(subjects) == 1:
         person = next(iter(subjects))
-        return [PointTake([_bare(name) for name in names], positions, kind, person=person)]
+        return [PointTake([_bare(name) for name in names], positions, kind, confidence, person)]
     return [
-        PointTake([_bare(names[k]) for k in which], positions[:, which], kind, person=person or OTHERS)
+        PointTake(
+            [_bare(names[k]) for k in which],
+            positions[:, which],
+            kind,
+            None if confidence is None else confidence[:, which],
+            person or OTHERS,
+        )
         for person, which in subjects.items()
     ]
 

@@ -1,34 +1,27 @@
 """CSV and TSV: tables of points, a row a frame, a column a coordinate.
 
-The header names the columns: ``time, NAME_x, NAME_y, NAME_z``, or with a dot, a blank, brackets or nothing between name
-and letter, or letter and number (``X1, Y1, Z1``). Points without a third column lie in a plane. ``NAME_c``,
-``NAME_confidence``, ``NAME_likelihood`` or ``NAME_visibility`` is how sure the source was. Other columns are left out,
-by name. Lines that begin with # are comments. An empty cell, NaN and their kin are points unseen.
+The first line that is no comment names the columns; :mod:`leitmotion.io.columns` says how. Commas, tabs, semicolons or
+blanks divide. Lines before it that begin with # may state the unit, the vertical and the rate. An empty cell, NaN and
+their kin are points unseen. A table with a row a point is turned into one with a row a frame first.
 """
 
 from __future__ import annotations
 
 import csv
 import io
+import json
 import re
-from collections import Counter
+from collections.abc import Iterable, Iterator
 from dataclasses import replace
 
-import numpy as np
+from leitmotion.io.columns import find_columns, read_columns, read_rows_of
+from leitmotion.io.long_table import LongTable, find_long
+from leitmotion.io.numerals import MISSING_WORDS
+from leitmotion.io.reading import Draft, Source
 
-from leitmotion.io.numerals import read_rows
-from leitmotion.io.points import split_people
-from leitmotion.io.reading import Draft, Finding, Source
-from leitmotion.io.timing import Timing, read_times
-
-_SUFFIX = re.compile(r"^(?P<name>.*?)(?P<mark>[\s_.:\-\[(]*)(?P<letter>[xyzXYZ])[\])]?$")
-_PREFIX = re.compile(r"^(?P<letter>[xyzXYZ])[_\s]?(?P<name>\d+)$")
-_SURE = re.compile(r"^(?P<name>.+?)[\s_.:]+(?:c|conf|confidence|likelihood|visibility|score)$", re.IGNORECASE)
-_TIMES = ("time", "t", "time_s", "time_ms", "time_us", "times", "timestamp", "timestamp_ms", "seconds", "time[s]",
-          "time (s)")  # fmt: skip
-_FRAMES = ("frame", "frame#", "frames", "index", "")
-_JOINTS = ("shoulder", "elbow", "wrist", "hip", "knee", "ankle", "spine", "neck", "hand")
-_PIXELS = 20.0  # coordinates in a plane beyond this are pixels
+_STATED = re.compile(r"#\s*(unit|up|rate|kind|name)s?\s*[:=]\s*(.+)$", re.IGNORECASE)
+_RATE = re.compile(r"\b(?:rate|fps|frequency)\b\s*[:=]?\s*([\d.].*)$", re.IGNORECASE)
+_KINDS = ("marker", "joint")
 
 
 def read(source: Source) -> Draft:
@@ -49,55 +42,67 @@ def read(source: Source) -> Draft:
     FormatError
         When the header names no points, a cell is no number or nothing tells the rate.
     """
-    warnings: list[str] = []
-    source, start, header, delimiter = _header(source)
-    columns, sure, left = _columns(header)
-    if not columns:
+    stated, position = _comments(source)
+    source, start, header, delimiter = _header(source, position)
+    if "kind" not in stated:
+        header = [word.strip() for word in header]
+    long = find_long(header)
+    if long is not None:
+        return _read_long(source, start, header, delimiter, long, stated)
+    if _numbers_only(header):
         raise source.error(
-            f"expected columns such as NAME_x, NAME_y, NAME_z, found {', '.join(header[:6])}.",
-            remedy="Name the columns of the table in its first line.",
+            f"expected a first line that names the columns, found {len(header)} numbers and no names.",
+            remedy="Write a first line such as time,head_x,head_y,head_z that says what each number is.",
         )
-    flat = len(next(iter(columns.values()))) == 2
-    time = next((k for k, word in enumerate(header) if word.lower() in _TIMES), None)
-    wanted = (
-        [k for triple in columns.values() for k in triple]
-        + list(sure.values())
-        + ([] if time is None else [time])
-    )
-    rows = read_rows(source, start, len(header), delimiter=delimiter, missing=True, wanted=wanted)
-    if len(rows.values) == 0:
-        raise source.error("expected a row a frame after the header, found none.")
-    left = [word for word in left if word.lower() not in _TIMES + _FRAMES]
-    if left:
-        what = (
-            "A column that is no point was"
-            if len(left) == 1
-            else f"{len(left)} columns that are no points were"
-        )
-        warnings.append(f"{what} left out: {', '.join(left[:8])}{' …' if len(left) > 8 else ''}.")
-    names = list(columns)
-    again = [name for name in names if f"{name}#2" in columns]
-    if again:
-        warnings.append(f"Names stand more than once and were numbered: {', '.join(again)}.")
-    positions = rows.values[:, [columns[name] for name in names]]
-    positions[~np.isfinite(positions).all(axis=-1)] = np.nan
-    timing = _timing(source, rows.values, time, header, warnings)
-    takes = split_people(names, timing.place(positions), _kind(names))
-    if sure and len(takes) == 1:
-        takes[0].confidence = timing.place(_confidence(rows.values, names, sure, warnings), missing=0.0)
-    return Draft(
-        takes,
-        rate=timing.rate,
-        unit=_plane_unit(positions) if flat else None,
-        warnings=warnings,
-    )
+    return read_rows_of(source, start, header, delimiter, stated, exact="kind" in stated)
 
 
 def looks(head: bytes) -> bool:
-    """Whether a file that begins like this has a header that names points."""
+    """Whether a file that begins like this has a header that names points, or holds bare numbers."""
     lines = head.removeprefix(b"\xef\xbb\xbf").decode("utf-8", "replace").splitlines()
     line = next((line for line in lines if line.strip() and not line.startswith("#")), "")
-    return bool(_columns(_cells(line.replace('"', ""), _delimiter(line)))[0])
+    header = _cells(line.replace('"', ""), _delimiter(line))
+    return bool(find_columns(header).points) or find_long(header) is not None or _numbers_only(header)
+
+
+def _numbers_only(header: list[str]) -> bool:
+    """Whether a line holds two numbers and more, and nothing but numbers."""
+    return len(header) > 1 and all(
+        re.fullmatch(r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?", cell)
+        or cell.lower().lstrip("+-").encode() in MISSING_WORDS
+        or not cell
+        for cell in header
+    )  # fmt: skip
+
+
+def _comments(source: Source) -> tuple[dict[str, str], int]:
+    """What the lines of comment before the header state, and the byte after them."""
+    content = source.content
+    stated: dict[str, str] = {}
+    position = 3 if content.startswith(b"\xef\xbb\xbf") else 0
+    while content[position : position + 1] in (b"#", b"\n", b"\r"):
+        stop = content.find(b"\n", position)
+        if stop < 0:
+            raise source.error("expected a header, found comments only.")
+        line = content[position:stop].decode("utf-8", "replace").strip()
+        match = _STATED.match(line)
+        rate = _RATE.search(line)
+        if match:
+            stated.setdefault(match[1].lower(), _unquote(match[2].strip()))
+        elif rate:
+            stated.setdefault("rate", rate[1])
+        position = stop + 1
+    if stated.get("kind", "") not in _KINDS:
+        stated.pop("kind", None)
+    return stated, position
+
+
+def _unquote(word: str) -> str:
+    try:
+        text = json.loads(word) if word.startswith('"') else word
+    except ValueError:
+        return word
+    return text if isinstance(text, str) else word
 
 
 def _delimiter(line: str) -> str:
@@ -109,102 +114,67 @@ def _cells(line: str, delimiter: str) -> list[str]:
     return line.split() if delimiter == " " else [cell.strip() for cell in line.split(delimiter)]
 
 
-def _header(source: Source) -> tuple[Source, int, list[str], str]:
+def _header(source: Source, position: int) -> tuple[Source, int, list[str], str]:
     """The file with plain cells, the byte after the header, its columns, what divides them."""
-    content = source.content.removeprefix(b"\xef\xbb\xbf")
-    position = 0
-    while content[position : position + 1] in (b"#", b"\n", b"\r"):
-        position = content.find(b"\n", position) + 1
-        if position == 0:
-            raise source.error("expected a header, found comments only.")
+    content = source.content
     stop = content.find(b"\n", position)
     if stop < 0:
         raise source.error("expected a header and a row a frame, found one line.")
     line = content[position:stop].decode("utf-8", "replace").strip("\r")
     delimiter = _delimiter(line)
-    if b'"' in content:
-        content, position = _unquoted(content[position:], delimiter), 0
-        stop = content.find(b"\n")
-        line = content[:stop].decode("utf-8", "replace")
     header = _cells(line, delimiter)
+    if '"' in line and delimiter != " ":  # a quoted name may hold what divides, and lines
+        header, stop = _quoted_header(source, position, delimiter)
+    start = stop + 1
+    if b'"' in content[start:]:
+        content, start = _unquoted(source, start, delimiter), 0
     if delimiter == ";":  # where a semicolon divides, a comma is a decimal point
-        content = content[:stop] + content[stop:].replace(b",", b".")
-    return replace(source, content=content), stop + 1, header, delimiter
+        content = content[:start] + content[start:].replace(b",", b".")
+    return replace(source, content=content), start, header, delimiter
 
 
-def _unquoted(content: bytes, delimiter: str) -> bytes:
-    rows = csv.reader(io.StringIO(content.decode("utf-8", "replace"), newline=""), delimiter=delimiter)
+def _quoted_header(source: Source, position: int, delimiter: str) -> tuple[list[str], int]:
+    """The cells of the record that begins at a byte, and the line feed after it."""
+    ends = [position]
+
+    def lines() -> Iterator[str]:
+        while ends[-1] < len(source.content):
+            stop = source.content.find(b"\n", ends[-1])
+            ends.append(len(source.content) if stop < 0 else stop + 1)
+            yield source.content[ends[-2] : ends[-1]].decode("utf-8", "replace")
+
+    header = next(_records(source, lines(), delimiter))
+    return header, ends[-1] - 1
+
+
+def _unquoted(source: Source, start: int, delimiter: str) -> bytes:
+    text = io.StringIO(source.content[start:].decode("utf-8", "replace"), newline="")
+    rows = _records(source, text, delimiter)
     lines = (delimiter.join(re.sub(rf"[{delimiter}\r\n]", " ", cell) for cell in row) for row in rows)
     return ("\n".join(lines) + "\n").encode("utf-8")
 
 
-def _columns(header: list[str]) -> tuple[dict[str, list[int]], dict[str, int], list[str]]:
-    """Columns of each point's coordinates, of its confidence, and the names of columns that are neither."""
-    found: dict[str, dict[str, int]] = {}
-    counts: Counter[tuple[str, str]] = Counter()
-    for k, word in enumerate(header):
-        match = _PREFIX.match(word) or _SUFFIX.match(word)
-        if match and match["name"]:
-            letter = match["letter"].lower()
-            own = _numbered(match["name"], letter, counts)
-            found.setdefault(own, {}).setdefault(letter, k)
-    solid = any(len(letters) == 3 for letters in found.values())
-    letters = "xyz" if solid else "xy"
-    columns = {
-        name: [places[letter] for letter in letters]
-        for name, places in found.items()
-        if places.keys() >= set(letters)
-    }
-    sure = {}
-    for k, word in enumerate(header):
-        match = _SURE.match(word)
-        own = _numbered(match["name"], "", counts) if match else ""
-        if own in columns:
-            sure[own] = k
-    used = {k for triple in columns.values() for k in triple} | set(sure.values())
-    return columns, sure, [word for k, word in enumerate(header) if k not in used]
+def _records(source: Source, lines: Iterable[str], delimiter: str) -> Iterator[list[str]]:
+    try:
+        yield from csv.reader(lines, delimiter=delimiter)
+    except csv.Error:
+        raise source.error(
+            "expected that quotes which open in a cell close there, found that they do not."
+        ) from None
 
 
-def _numbered(name: str, letter: str, counts: Counter[tuple[str, str]]) -> str:
-    """The name of a point, numbered where its column stands again: ``RKNE``, ``RKNE#2``."""
-    counts[name, letter] += 1
-    return name if counts[name, letter] == 1 else f"{name}#{counts[name, letter]}"
-
-
-def _confidence(
-    values: np.ndarray, names: list[str], sure: dict[str, int], warnings: list[str]
-) -> np.ndarray:
-    """From 0 to 1: 0 where the cell is empty, 1 of a point that has no such column."""
-    columns = [values[:, sure[name]] if name in sure else np.ones(len(values)) for name in names]
-    stated = np.nan_to_num(np.stack(columns, axis=1), nan=0.0)
-    outside = int(((stated < 0.0) | (stated > 1.0)).sum())
-    if outside:
-        warnings.append(f"{outside} confidences lie outside 0 to 1 and were taken as the nearer of the two.")
-    return np.clip(stated, 0.0, 1.0)
-
-
-def _timing(
-    source: Source, values: np.ndarray, time: int | None, header: list[str], warnings: list[str]
-) -> Timing:
-    if time is not None:
-        return read_times(source, values[:, time], header[time], warnings)
-    stated = re.search(
-        rb"^#[^\n]*?\b(?:rate|fps|frequency)\b\s*[:=]?\s*([\d.]+)", source.content, re.I | re.M
-    )
-    if stated:
-        return Timing(Finding(float(stated[1]), "read", "stated in a comment"), None)
-    if source.options.rate is not None:
-        return Timing(Finding(source.options.rate, "given", "rate given by the caller"), None)
-    raise source.error("expected a column of times, found none.", remedy="State the rate with --rate HZ.")
-
-
-def _plane_unit(positions: np.ndarray) -> Finding:
-    seen = np.abs(positions[np.isfinite(positions)])
-    if seen.size and seen.max() > _PIXELS:
-        return Finding("px", "guessed", "points in a plane with coordinates as large as pixels")
-    return Finding("relative", "guessed", "points in a plane with coordinates too small for pixels")
-
-
-def _kind(names: list[str]) -> str:
-    named = sum(any(joint in name.lower() for joint in _JOINTS) for name in names)
-    return "joint" if 2 * named > len(names) else "marker"
+def _read_long(
+    source: Source, start: int, header: list[str], delimiter: str, long: LongTable, stated: dict[str, str]
+) -> Draft:
+    text = source.content[start:].decode("utf-8", "replace")
+    rows = [_cells(line, delimiter) for line in text.splitlines() if line.strip()]
+    short = next((k for k, row in enumerate(rows) if len(row) != len(header)), None)
+    if short is not None:
+        raise source.error(
+            f"expected {len(header)} cells in row {short + 1} of the table, found {len(rows[short])}."
+        )
+    if not rows:
+        raise source.error("expected rows after the header, found none.")
+    wide = long.widen(source, [[row[k] for row in rows] for k in range(len(header))])
+    columns = find_columns(wide.header, exact=True)
+    return read_columns(source, wide.header, columns, wide.values, stated)
