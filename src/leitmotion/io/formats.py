@@ -116,7 +116,8 @@ FORMATS = (
     Format("poses", (".json",), "pose_json", lambda head: _module("pose_json").looks(head), text=True),
     Format("ASF", (".asf",), remedy="It holds a skeleton without motion: read the AMC that belongs to it."),
     Format("FBX", (".fbx",), remedy="Save it as BVH, for instance in Blender."),
-    Format("glTF", (".gltf", ".glb"), remedy="Save it as BVH, for instance in Blender."),
+    Format("glTF", (".gltf",), writer="gltf", remedy="Save it as BVH, for instance in Blender."),
+    Format("GLB", (".glb",), writer="glb", remedy="Save it as BVH, for instance in Blender."),
     Format(
         "MATLAB", (".mat",), remedy="Save the points as CSV with the columns time, NAME_x, NAME_y, NAME_z."
     ),
