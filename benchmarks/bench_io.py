@@ -1,7 +1,7 @@
-"""Reading: AMC, BVH, C3D and the archive, beside the public readers that are installed.
+"""Reading and writing: AMC, BVH, C3D, glTF and the archive, beside the public readers that are installed.
 
 Recordings come from the folder that ``LEITMOTION_DATA`` names: CMU trial 01_01 as AMC and as BVH, and a trial of pyCGM
-as C3D. Without them there is nothing to measure.
+as C3D. Without them there is nothing to measure. The long C3D is a random walk, which Leitmotion writes itself.
 """
 
 from __future__ import annotations
@@ -9,17 +9,35 @@ from __future__ import annotations
 import importlib
 import importlib.util
 import os
+import subprocess
+import sys
 import tempfile
 import time
 import warnings
 from collections.abc import Callable
 from pathlib import Path
 
+import numpy as np
+
 from leitmotion import io
-from leitmotion.motion import forward_kinematics
+from leitmotion.motion import Motion, Trajectories, forward_kinematics
 
 Row = tuple[str, str, str]
 RUNS = 7
+PEAK = """
+import re, sys
+from pathlib import Path
+import numpy as np
+from leitmotion import io
+from leitmotion.motion import Trajectories
+small = Path(sys.argv[1]).with_name("small.c3d")
+io.read(io.write(Trajectories(("A", "B"), np.random.default_rng(0).normal(size=(9, 2, 3)), 120), small))
+def kilobytes(what):  # not by resource, whose peak a new process takes over from its parent
+    return int(re.search(what + r":\\s*(\\d+)", Path("/proc/self/status").read_text())[1])
+before = kilobytes("VmRSS")
+kept = io.read(sys.argv[1])
+print((kilobytes("VmHWM") - before) * 1024)
+"""
 AMC, BVH, C3D = "cmu_amc/01_01.amc", "cmu_bvh/01_01.bvh", "pycgm/Movement_trial.c3d"
 
 
@@ -59,12 +77,45 @@ def rows() -> list[Row]:
         archive = io.save(motion, Path(folder) / "motion.npz")
         seconds = best(lambda: io.load(archive))
         table.append(("Archive to a motion", speed(archive, seconds), f"{AMC} saved; {protocol}"))
-        written = Path(folder) / "motion.bvh"
-        seconds = best(lambda: io.write(motion, written))
-        table.append(
-            ("A motion to BVH", speed(written, seconds), f"{AMC} written with all digits; {protocol}")
-        )
+        table += [
+            writer(motion, "BVH", Path(folder) / "motion.bvh", f"{AMC} written with all digits; {protocol}")
+        ]
+        for name, ending in (("C3D", "c3d"), ("binary glTF", "glb"), ("glTF as text", "gltf")):
+            table.append(writer(motion, name, Path(folder) / f"motion.{ending}", f"{AMC}; {protocol}"))
+        table += long_c3d(Path(folder) / "long.c3d")
     return table + peers(bvh, c3d, protocol)
+
+
+def writer(motion: Motion, name: str, path: Path, how: str) -> Row:
+    """Measure how fast a motion is written."""
+    seconds = best(lambda: io.write(motion, path))
+    return (f"A motion to {name}", f"{len(motion) / seconds:,.0f} frames/s, {speed(path, seconds)}", how)
+
+
+def long_c3d(path: Path) -> list[Row]:
+    """Measure a C3D of half an hour: how fast it is read, and how much memory that takes at most."""
+    rng = np.random.default_rng(0)
+    steps = rng.normal(0, 0.002, (216_000, 40, 3)).cumsum(axis=0)
+    steps[rng.random(steps.shape[:2]) < 0.02] = np.nan
+    io.write(Trajectories(tuple(f"M{k}" for k in range(40)), steps, 120), path)
+    del steps
+    how = "216,000 frames of 40 points, 2 % of them unseen, floats"
+    seconds = best(lambda: io.read(path), runs=3)
+    peak = subprocess.run(
+        [sys.executable, "-c", PEAK, str(path)], check=True, capture_output=True, text=True
+    ).stdout
+    return [
+        (
+            "A long C3D to trajectories",
+            speed(path, seconds),
+            f"{how}; CPU time, best of 3, file in the cache",
+        ),
+        (
+            "Memory to read it",
+            f"{int(peak) / path.stat().st_size:.1f} x the file",
+            f"{how}; peak resident above a process that has read a small one, the file and the result included",
+        ),
+    ]
 
 
 def peers(bvh: Path, c3d: Path, protocol: str) -> list[Row]:
