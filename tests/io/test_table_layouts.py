@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from leitmotion import io
+from leitmotion.io.joint_sets import BLAZEPOSE
 from leitmotion.motion import FormatError
 
 EXPECTED = np.array([[[1, 2, 3], [4, 5, 6]], [[1.5, 2.5, 3.5], [np.nan] * 3], [[2, 3, 4], [5, 6, 7]]])
@@ -235,6 +236,33 @@ def test_numbered_landmarks_have_their_visibility(tmp_path):
     assert reading.findings["rate"].how == "guessed"
 
 
+def landmarks(style, middle, *, start=0):
+    joints = [name.lower() for name in BLAZEPOSE.joints]
+    height = {"nose": 0.0, "left_hip": 0.5, "right_hip": 0.5, "left_ankle": 1.0, "right_ankle": 1.0}
+    header, row = [], []
+    for k, name in enumerate(joints):
+        word = str(k + start) if style == "numbered" else f"_{name.upper()}"
+        side = 0.1 if name.startswith("left") else -0.1
+        header += [f"{letter}{word}" if style == "numbered" else f"{word[1:]}_{letter}"
+                   for letter in ("x", "y", "z", "visibility")]  # fmt: skip
+        row += [f"{middle + side}", f"{middle - 0.5 + height.get(name, 0.3)}", "-0.2", "0.9"]
+    return f"frame,{','.join(header)}\n" + "".join(f"{k},{','.join(row)}\n" for k in range(4))
+
+
+@pytest.mark.parametrize("start", [0, 1])
+@pytest.mark.parametrize("style", ["numbered", "named"])
+def test_landmarks_of_blazepose_by_number_or_name(tmp_path, style, start):
+    reading = read(tmp_path, landmarks(style, 0.5, start=start), up=None)
+    (points,) = reading.recordings
+    assert (points.names, points.kind, points.unit) == (BLAZEPOSE.joints, "joint", "relative")
+    assert (points.positions.shape[2], reading.findings["up"].value) == (2, "-y")
+    assert any("depth of the points is no length" in warning for warning in reading.warnings)
+    (points,) = read(tmp_path, landmarks(style, 0.0, start=start), up=None).recordings
+    assert (points.unit, points.positions.shape[2]) == ("m", 3)
+    nose, ankle = (points.positions[0, points.names.index(name)] for name in ("nose", "left_ankle"))
+    np.testing.assert_allclose(nose[1] - ankle[1], 1.0)
+
+
 @pytest.mark.parametrize(
     ("comment", "topic", "value"),
     [("# unit: mm", "unit", "mm"), ("# up = z", "up", "z"), ("# Unit: centimetres", "unit", "cm"),
@@ -289,6 +317,12 @@ def test_rows_of_a_picture_count_downwards(tmp_path, header, row, up):
     assert read(tmp_path, text, up=None).findings["up"].value == up
 
 
+def test_exponential_maps_are_told_from_other_numbers(tmp_path):
+    row = "1.5,17.7,-29.1," + ",".join(["-0", "0.366519143"] * 57) + "\n"
+    with pytest.raises(FormatError, match=r"exponential map files are not read.*AMC or BVH"):
+        read(tmp_path, row * 3, "jumping_1.txt")
+
+
 @pytest.mark.parametrize("name", ["joints.csv", "jumping_1.txt", "amc_86_01.4d", "joints.tsv"])
 @pytest.mark.parametrize("mark", [",", " ", "\t"])
 def test_bare_numbers_are_one_sentence(tmp_path, name, mark):
@@ -323,6 +357,7 @@ def test_real_landmarks_of_a_video(data):
     [
         ("cmu86/4d/amc_86_01.4d", "found 4 numbers and no names"),
         ("cmu_amc/trials.csv", "columns such as NAME_x"),
+        ("deepmimic/humanoid3d_walk.txt", r"DeepMimic files are not read.*convert it to BVH"),
         ("mocaptoolbox/mcdemodata.mat", "MATLAB files are not read"),
         ("dm_control/test_trajectories.h5", "HDF5 files are not read"),
     ],

@@ -18,6 +18,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from leitmotion.io.landmarks import find_landmarks
 from leitmotion.io.numerals import read_rows
 from leitmotion.io.points import split_people
 from leitmotion.io.reading import Draft, Finding, PointTake, Source
@@ -184,6 +185,11 @@ def read_columns(
         warnings.append(f"Names stand more than once and were numbered: {', '.join(again)}.")
     positions = values[:, [columns.points[name] for name in names]]
     positions[~np.isfinite(positions).all(axis=-1)] = np.nan
+    sure = _confidence(values, names, columns.sure, warnings) if columns.sure else None
+    kind, unit = stated.get("kind") or _kind(names), _unit(stated, warnings)
+    landmarks = None if "kind" in stated else find_landmarks(names, positions, warnings)
+    if landmarks is not None:
+        names, positions, kind, unit = landmarks.names, landmarks.positions, "joint", unit or landmarks.unit
     flat = positions.shape[-1] == 2
     video = flat or bool(columns.sure) or any(word.strip().lower() == "image" for word in header)
     timing = time_rows(
@@ -195,13 +201,14 @@ def read_columns(
         video=video,
         warnings=warnings,
     )
-    sure = _confidence(values, names, columns.sure, warnings) if columns.sure else None
-    unit = _unit(stated, warnings)
+    positions = timing.place(positions)
+    if sure is not None:
+        sure = timing.place(sure, missing=0.0)
     up = stated.get("up", "").lower()
     return Draft(
-        _takes(
-            names, timing.place(positions), None if sure is None else timing.place(sure, missing=0.0), stated
-        ),
+        [PointTake(names, positions, kind, sure)]  # what was written here is one person, whatever the names
+        if "kind" in stated
+        else split_people(names, positions, kind, sure),
         rate=timing.rate,
         unit=unit or (_plane_unit(positions) if flat else None),
         up=Finding(up, "read", "stated by the table")
@@ -258,14 +265,6 @@ def read_rows_of(
     if len(rows.values) == 0:
         raise source.error("expected a row a frame after the header, found none.")
     return read_columns(source, header, columns, rows.values, stated)
-
-
-def _takes(
-    names: list[str], positions: np.ndarray, sure: np.ndarray | None, stated: Mapping[str, str]
-) -> list[PointTake]:
-    if "kind" in stated:  # what was written here is one person, whatever the names
-        return [PointTake(names, positions, stated["kind"], sure)]
-    return split_people(names, positions, _kind(names), sure)
 
 
 def _unit(stated: Mapping[str, str], warnings: list[str]) -> Finding | None:

@@ -86,10 +86,24 @@ FORMATS = (
         "OpenSim MOT", (".mot", ".sto"), "opensim", lambda head: _module("opensim").looks(head), text=True
     ),
     Format("Qualisys TSV", (".tsv",), "qualisys", lambda head: _module("qualisys").looks(head), text=True),
+    Format(
+        "DeepMimic",
+        (".txt", ".json"),
+        looks=lambda head: _module("unread").is_deepmimic(head),
+        remedy="Its rotations need their skeleton: convert it to BVH.",
+        text=True,
+    ),
+    Format(
+        "exponential map",
+        (".txt", ".csv"),
+        looks=lambda head: _module("unread").is_exponential_maps(head),
+        remedy="Its rotations need their skeleton: take the AMC or BVH of the same recording.",
+        text=True,
+    ),
     Format("UI-PRMD", (".txt", ".csv"), "uiprmd", lambda head: _module("uiprmd").looks(head), text=True),
     Format("Kinect table", (".csv", ".txt"), "kinect", lambda head: _module("kinect").looks(head), text=True),
     Format("Motive CSV", (".csv",), "motive", lambda head: _module("motive").looks(head), text=True),
-    Format("Nexus CSV", (".csv",), "nexus", lambda head: _module("nexus").looks(head), text=True),
+    Format("Nexus CSV", (".csv", ".txt"), "nexus", lambda head: _module("nexus").looks(head), text=True),
     Format(
         "DeepLabCut CSV", (".csv",), "deeplabcut", lambda head: _module("deeplabcut").looks(head), text=True
     ),
