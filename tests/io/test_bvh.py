@@ -9,8 +9,9 @@ from hypothesis import strategies as st
 
 from leitmotion import io
 from leitmotion.datasets import Action, compose
-from leitmotion.io.bvh import frame_rate, write
 from leitmotion.io.bvh import read as parse
+from leitmotion.io.bvh import write
+from leitmotion.io.bvh_frames import frame_rate
 from leitmotion.io.reading import Source
 from leitmotion.motion import FormatError, Motion, ParameterError, Skeleton, forward_kinematics, rotations
 
@@ -382,3 +383,207 @@ def test_a_long_frame_time_is_told(tmp_path, time, told):
 def test_a_missing_frame_time_shows_both_lines(tmp_path):
     with pytest.raises(FormatError, match="found 'Frames: 2' and '1 95 3 10"):
         read(tmp_path, PLAIN.replace("Frame Time: 0.0083333\n", ""))
+
+
+# --- what programs make of the format
+
+TREE, REST = PLAIN.split("MOTION\n")
+ROWS = REST.partition("0.0083333\n")[2]
+
+
+def changed(old, new):
+    assert old in PLAIN
+    return PLAIN.replace(old, new)
+
+
+def with_rows(change):
+    return PLAIN[: -len(ROWS)] + change(ROWS)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        changed("\n", "\r"),
+        changed("\n", "\r\r\n"),
+        PLAIN.encode("utf-16"),
+        PLAIN.encode("utf-16-le"),
+        PLAIN + "\x1a",
+        "# made by hand\n// twice\n\n" + PLAIN,
+        changed("  JOINT Head", "# remark\n  // another\n  JOINT Head"),
+        changed("HIERARCHY\nROOT", "HIERARCHY ROOT"),
+        changed("\nMOTION", "\n  Motion: "),
+        changed("Frames: 2\nFrame Time: ", "Frames:2\nFrame Time:"),
+        changed("Frames: 2\nFrame Time: ", "Frames 2 Frame Time "),
+        changed("Frames: 2\nFrame Time: 0.0083333", "FrameTime: 0.0083333\n\nFRAMES:\t2"),
+        changed("Frame Time: 0.0083333", "Frame Time: 0,0083333"),
+        changed("OFFSET 10 -90 0", "OFFSET 10,0 -90,00 0"),
+        changed("OFFSET 10 -90 0", "OFFSET 10, -90, 0"),
+        changed("OFFSET 0 20 0\n    }\n  }", "OFFSET 0 20 0 } }"),
+        changed("End Site", "End Site HeadTop"),
+        changed("End Site", "End"),
+        changed("End Site", "EndSite"),
+        changed("End Site", "end_site"),
+        changed("OFFSET 0 20 0", "OFFSET 0 20 0\n      CHANNELS 0"),
+        with_rows(lambda rows: rows.replace(" ", ",0 ").replace("\n", ",0\n")),
+        with_rows(lambda rows: rows.replace(" ", ",")),
+        with_rows(lambda rows: rows.replace(" ", ", ")),
+        with_rows(lambda rows: rows.replace(" ", "  \t").replace("\n", " \n\n")),
+        with_rows(lambda rows: rows.replace("10 20", "1e1 2.0E+01").replace(" 3 ", " +3. ")),
+    ],
+)
+def test_quirks_that_change_nothing(tmp_path, text):
+    reading = read(tmp_path, text)
+    assert reading.recordings == read(tmp_path, PLAIN).recordings
+    assert reading.warnings == ()
+
+
+@pytest.mark.parametrize(
+    ("text", "told"),
+    [
+        (
+            changed("Frames: 2", "Frames: two"),
+            "states 'two' as the count of frames; the 2 that the file has were read",
+        ),
+        (changed("Frames: 2\n", ""), "does not state the count of frames; the 2"),
+        (changed("Frames: 2", "Frames: 0"), "promises 0 frames, the file has 2"),
+        (changed("Frames: 2", "Frames: -3"), "promises -3 frames, the file has 2"),
+        (PLAIN + "made by hand\n", "The last line is no row of numbers and was left out: 'made by hand'."),
+        (PLAIN + "# 1 2 3", "no row of numbers and was left out: '# 1 2 3'."),
+        (
+            with_rows(lambda rows: rows.replace(" 30 ", " 30\n")),
+            "Lines are no frames: the numbers, as many as promised",
+        ),
+        (with_rows(lambda rows: rows.replace("\n", " ")), "Lines are no frames"),
+        (with_rows(lambda rows: rows.replace(" ", "\n")), "Lines are no frames"),
+    ],
+)
+def test_quirks_that_are_told(tmp_path, text, told):
+    reading = read(tmp_path, text)
+    assert reading.recordings == read(tmp_path, PLAIN).recordings
+    assert len(reading.warnings) == 1
+    assert told in reading.warnings[0]
+
+
+def test_numbers_in_lines_that_are_no_frames_name_their_line_all_the_same(tmp_path):
+    text = with_rows(lambda rows: rows.replace(" 30 ", " 30\n").replace("51", "x"))
+    with pytest.raises(FormatError, match="line 26: expected a number, found 'x'"):
+        read(tmp_path, text)
+    with pytest.raises(FormatError, match="line 24: expected 12 numbers in the row, found 6"):
+        read(tmp_path, with_rows(lambda rows: rows.replace(" 30 ", " 30\n") + "1"))  # not as many as promised
+
+
+def channels(text, first, second):
+    """The file with other channels of the left foot."""
+    spelled = PLAIN.replace("    CHANNELS 3 Yrotation Zrotation Xrotation\n", text)
+    return spelled.replace(" 70 80 90", first).replace(" 71 81 91", second)
+
+
+@pytest.mark.parametrize(
+    ("text", "first", "turns", "place"),
+    [
+        ("", "", "", [10, -90, 0]),
+        ("CHANNELS 0\n", "", "", [10, -90, 0]),
+        ("CHANNELS 1 Zrotation\n", " 30", "z", [10, -90, 0]),
+        ("CHANNELS 2 Xrotation Zrotation\n", " 30 40", "xz", [10, -90, 0]),
+        ("CHANNELS 2 Yposition Xrotation\n", " -95 40", "x", [10, -95, 0]),
+        ("CHANNELS 3 Xposition Yposition Zposition\n", " 1 -95 3", "", [1, -95, 3]),
+        ("CHANNELS 3 Yrotation Zrotation Yrotation\n", " 10 20 30", "yzy", [10, -90, 0]),
+        ("channels 4 xRotation Zposition YROTATION zrotation\n", " 10 7 20 30", "xyz", [10, -90, 7]),
+        (
+            "CHANNELS 5 Yrotation Zrotation Xrotation Yrotation Zrotation\n",
+            " 1 2 3 4 5",
+            "yzxyz",
+            [10, -90, 0],
+        ),
+    ],
+)
+def test_any_channels(tmp_path, text, first, turns, place):
+    motion = read(tmp_path, channels(text, first, first), unit="cm").recordings[0]
+    values = [float(word) for word in first.split()]
+    spoken = [word for word in text.split()[2:]]
+    angles = [value for word, value in zip(spoken, values, strict=True) if "rot" in word.lower()]
+    expected = rotations.IDENTITY
+    for letter, angle in zip(turns, angles, strict=True):
+        expected = rotations.multiply(expected, rotations.from_axis_angle(letter, np.deg2rad(angle)))
+    assert rotations.geodesic_angle(motion.local_rotations[0, 2], expected) < 1e-7
+    np.testing.assert_allclose(motion.local_positions[0, 2], np.array(place) / 100)
+
+
+def test_channels_that_mean_nothing_here_are_left_out_and_told(tmp_path):
+    scaled = channels(
+        "CHANNELS 6 Yrotation Zrotation Xrotation Xscale Yscale Zscale\n",
+        " 70 80 90 1 1 1",
+        " 71 81 91 1 1 1",
+    )
+    ended = (
+        PLAIN.replace("OFFSET 0 20 0", "OFFSET 0 20 0\nCHANNELS 3 Zrotation Xrotation Yrotation")
+        .replace("50 60", "50 60 1 2 3")
+        .replace("51 61", "51 61 4 5 6")
+    )
+    for text in (scaled, ended):
+        reading = read(tmp_path, text)
+        assert reading.recordings == read(tmp_path, PLAIN).recordings
+        assert reading.warnings == ("Channels of scale or of end sites were left out, 3 in number.",)
+
+
+def test_a_joint_without_an_offset_is_told(tmp_path):
+    reading = read(tmp_path, changed("    OFFSET 10 -90 0\n", ""), unit="cm")
+    np.testing.assert_array_equal(reading.recordings[0].skeleton.offsets[2], 0)
+    assert reading.warnings == ("Joints without an OFFSET were taken to have 0 0 0: LeftFoot.",)
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "match"),
+    [
+        ("OFFSET 10 -90 0", "OFFSET 10 -90 0\nOFFSET 1 2 3", "line 18: expected OFFSET once a joint"),
+        (
+            "OFFSET 10 -90 0",
+            "OFFSET 10 -90 1e300",
+            "expected an offset of joint 'LeftFoot', found 10, -90, 1e.300",
+        ),
+        (
+            "    CHANNELS 3 Y",
+            "    CHANNELS 3 Xrotation Yrotation Zrotation\n    CHANNELS 3 Y",
+            "line 19: .*once a joint",
+        ),
+        (
+            "ROOT Hips\n{\n",
+            "ROOT Hips { OFFSET 0 0 0 ",
+            "line 2: expected a line for each joint, OFFSET and CHANNELS",
+        ),
+        ("20 30", "-1.#IND000 30", "line 24: expected a number, found '-1.#IND000'. A skeleton has no gaps"),
+        ("20 30", "1e300 30", r"line 24: expected a number below 1e\+150, found '1e300'"),
+        (
+            "1 95 3",
+            "1e20 95 3",
+            "expected a place of joint 'Hips' in frame 0, found 1e.20, 95, 3. A skeleton has no gaps",
+        ),
+        (
+            "Frame Time: 0.0083333",
+            "Frame Time: 1e-320",
+            "expected a frame time above 0 s, found '1e-320'.*--rate",
+        ),
+        ("Frame Time: 0.0083333", "Frame Time: 99e999", "expected a frame time above 0 s"),
+        ("Frame Time: 0.0083333\n", "", "line 22: expected the lines 'Frames:' and 'Frame Time:'.*--rate HZ"),
+        (ROWS, "", "expected at least one row of numbers after the frame time"),
+    ],
+)
+def test_more_faults_name_their_line(tmp_path, old, new, match):
+    with pytest.raises(FormatError, match=match):
+        read(tmp_path, changed(old, new))
+
+
+def test_a_rate_given_takes_the_place_of_a_frame_time(tmp_path):
+    assert (
+        read(tmp_path, changed("Frame Time: 0.0083333\n", ""), rate=120).recordings
+        == read(tmp_path, PLAIN).recordings
+    )
+
+
+def test_a_chain_of_thousands_of_joints_is_read(tmp_path):
+    count = 3000
+    text = "HIERARCHY\n" + "".join(
+        f"{'JOINT' if k else 'ROOT'} j{k}\n{{\nOFFSET 0 1 0\nCHANNELS 1 Zrotation\n" for k in range(count)
+    )
+    text += "}\n" * count + "MOTION\nFrames: 1\nFrame Time: 0.01\n" + "0 " * count + "\n"
+    assert len(read(tmp_path, text, unit="cm").recordings[0].skeleton) == count

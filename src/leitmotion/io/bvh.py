@@ -11,21 +11,13 @@ References
 
 from __future__ import annotations
 
-import re
-
 import numpy as np
 
-from leitmotion.io.bvh_hierarchy import Joint, read_hierarchy
-from leitmotion.io.numerals import read_rows
-from leitmotion.io.reading import Draft, Finding, SkeletonTake, Source, glimpse
+from leitmotion.io.bvh_frames import rate_of, read_frames, read_header
+from leitmotion.io.bvh_hierarchy import SCALE, Joint, read_hierarchy
+from leitmotion.io.reading import Draft, Finding, SkeletonTake, Source
 from leitmotion.io.units import unit_in_metres
 from leitmotion.motion import Motion, ParameterError, rotations
-
-_NTSC = (24000 / 1001, 30000 / 1001, 60000 / 1001, 120000 / 1001)
-_USUAL = (24, 25, 30, 50, 60, 90, 100, 120, 150, 200, 240, 250, 300, 480, 500, 1000)
-_SHORTEST = 1e-6  # seconds that a frame may last
-_SNAP = 0.02  # how far, relatively, a rate may lie from the reciprocal of its frame time
-_ROUNDED = 2e-3  # how far, relatively, milliseconds may lie from those of a usual rate
 
 CMU_BVH = frozenset({"lhipjoint", "rhipjoint", "lowerback", "lthumb", "rthumb"})
 """Joints that only the conversions of the CMU archive's own skeleton to BVH have together."""
@@ -50,28 +42,16 @@ def read(source: Source) -> Draft:
         When the hierarchy or a row of numbers is not what the format says; it names the line.
     """
     warnings: list[str] = []
-    joints, position = read_hierarchy(source, warnings)
-    promised, seconds, start = _motion_header(source, position)
-    columns = sum(len(joint.channels) for joint in joints)
-    if columns == 0:
+    tree = read_hierarchy(source, warnings)
+    joints = tree.joints
+    header = read_header(source, tree.stop)
+    if tree.columns == 0:
         raise source.error("expected at least one channel in the hierarchy, found none.")
-    rows = read_rows(source, start, columns)
-    if rows.cut:
-        warnings.append(
-            f"The file ends within its row {len(rows.values) + 1}; the whole rows before it were read."
-        )
-    if len(rows.values) == 0:
-        raise source.error("expected at least one row of numbers after the frame time, found none.")
-    if promised != len(rows.values):
-        warnings.append(
-            f"The header promises {promised} frames, the file has {len(rows.values)}; those it has were read."
-        )
-    rate = frame_rate(seconds, source)
-    if source.options.rate is None and rate.value <= 1.0:
-        warnings.append(_doubt(source, seconds, 1.0 / rate.value))
+    values = read_frames(source, header, tree.columns, warnings)
+    rate = rate_of(source, header, warnings)
     roots = [k for k, joint in enumerate(joints) if joint.parent < 0]
     takes = [
-        _take(joints[first:last], first, rows.values) for first, last in zip(roots, [*roots[1:], len(joints)])
+        _take(joints[first:last], first, values) for first, last in zip(roots, [*roots[1:], len(joints)])
     ]
     unit = None
     if {joint.name.lower() for joint in joints} >= CMU_BVH:
@@ -81,88 +61,6 @@ def read(source: Source) -> Draft:
             "the joints are those of the CMU archive, in whose unit the body is an adult's",
         )
     return Draft(takes, rate=rate, unit=unit, warnings=warnings)
-
-
-def frame_rate(text: str, source: Source) -> Finding:
-    """Tell the rate that a frame time, rounded or cut to some decimals, stands for.
-
-    Parameters
-    ----------
-    text : str
-        The frame time in seconds as it is written.
-    source : Source
-        The file, for the error.
-
-    Returns
-    -------
-    Finding
-        The nearest whole rate whose frame time differs by less than one unit in the last place written, or where none
-        does the nearest broadcast rate that does; else, or where that rate lies 2 % or more from the reciprocal, as of
-        a frame time of one digit, the reciprocal.
-    """
-    try:
-        seconds = float(text.replace(",", "."))
-    except ValueError:
-        seconds = np.nan
-    if source.options.rate is not None and not _SHORTEST <= seconds < np.inf:
-        return Finding(source.options.rate, "given", "rate given by the caller")
-    if not _SHORTEST <= seconds < np.inf:
-        raise source.error(
-            f"expected a frame time above 0 s, found {glimpse(text.encode())}.",
-            remedy="State the rate with --rate HZ.",
-        )
-    exact = 1.0 / seconds
-    mantissa, _, power = text.lower().partition("e")
-    decimals = len(mantissa.replace(",", ".").partition(".")[2]) - int(power or 0)
-    unit = 10.0**-decimals
-    whole = max(1, round(exact))
-    broadcast = min(_NTSC, key=lambda rate: abs(1.0 / rate - seconds))
-    # a few digits fit both: 0.0167 s is 60 Hz and 59.94 Hz, and whole rates are the usual ones
-    near = next((rate for rate in (whole, broadcast) if abs(1.0 / rate - seconds) < unit), None)
-    if near is not None and abs(near / exact - 1.0) >= _SNAP:
-        near = None
-    if near is not None:
-        taken = "" if 1.0 / near == seconds else f", taken as {near:.6g} Hz"
-        return Finding(float(near), "read", f"frame time {text} s{taken}")
-    for digits in (
-        6,
-        9,
-        12,
-        15,
-    ):  # the shortest rate of exactly this frame time, which 1 / seconds may miss by a bit
-        short = float(f"{exact:.{digits}g}")
-        if 1.0 / short == seconds:
-            return Finding(short, "read", f"frame time {text} s")
-    return Finding(exact, "read", f"frame time {text} s")
-
-
-def _doubt(source: Source, text: str, seconds: float) -> str:
-    """Say that frames last too long for a movement; refuse where the number is a usual rate, or that in ms."""
-    for rate in _USUAL:
-        hertz = abs(seconds / rate - 1.0) < _ROUNDED
-        if hertz or (rate <= 120 and abs(seconds * rate / 1000.0 - 1.0) < _ROUNDED):
-            raise source.error(
-                f"expected a frame time in seconds, found {text}, which looks like "
-                f"{'the rate' if hertz else 'milliseconds'}.",
-                remedy=f"State the rate with --rate HZ, here --rate {rate}.",
-            )
-    return f"A frame lasts {text} s, longer than a movement's do: if that is not so, state the rate with --rate HZ."
-
-
-def _motion_header(source: Source, position: int) -> tuple[int, str, int]:
-    """How many frames are promised, the frame time as written, the byte of the first row."""
-    header = re.compile(
-        rb"\s*Frames\s*:?\s*(\S+)[^\n]*\n\s*Frame\s*Time\s*:?\s*([^\s]+)[^\n]*(?:\n|$)", re.IGNORECASE
-    ).match(source.content, position)
-    if header is None:
-        lines = [line for line in source.content[position : position + 4000].splitlines() if line.strip()]
-        found = " and ".join(glimpse(line) for line in lines[:2]) or "none"
-        raise source.fault(position, "the lines 'Frames:' and 'Frame Time:'", found)
-    try:
-        promised = int(float(header[1]))
-    except (ValueError, OverflowError):
-        raise source.fault(header.start(1), "a count of frames", glimpse(header[1])) from None
-    return promised, header[2].decode("latin-1"), header.end()
 
 
 def _take(joints: list[Joint], first: int, values: np.ndarray) -> SkeletonTake:
@@ -176,6 +74,8 @@ def _take(joints: list[Joint], first: int, values: np.ndarray) -> SkeletonTake:
         order, turning = "", []
         for k, letter in enumerate(joint.channels):
             column = values[:, joint.first + k]
+            if letter == SCALE:
+                continue
             if letter.isupper():
                 positions[:, j, "XYZ".index(letter)] = column
             else:

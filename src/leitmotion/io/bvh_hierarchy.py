@@ -13,8 +13,16 @@ import numpy as np
 from leitmotion.io.points import distinct
 from leitmotion.io.reading import Source, glimpse
 
-_CHANNEL = re.compile(r"([xyz])(position|rotation)$", re.IGNORECASE)
+SCALE = "s"
+"""Stands for a channel of scale, whose numbers are left out."""
+
+_CHANNEL = re.compile(r"([xyz])(position|rotation|scale)$", re.IGNORECASE)
+_END_SITE = re.compile(r"end([\s_]*site\b.*)?$", re.IGNORECASE)
+_RUN_ON = re.compile(r"\{\s*(OFFSET|CHANNELS)\s", re.IGNORECASE)
+_REMARK = ("#", "//")
+_BEGIN = re.compile(rb"(\xef\xbb\xbf)?(\s*(#|//)[^\n]*\n)*\s*HIERARCHY\b", re.IGNORECASE)
 _END = -1  # stands for an end site among the open braces
+_NAMED = 8  # joints that a warning names
 
 
 @dataclass
@@ -27,9 +35,24 @@ class Joint:
     channels: list[str] = field(default_factory=list)
     first: int = 0
     ends: list[list[float]] = field(default_factory=list)
+    placed: bool = False
 
 
-def read_hierarchy(source: Source, warnings: list[str]) -> tuple[list[Joint], int]:
+@dataclass(frozen=True)
+class Hierarchy:
+    """What the section says."""
+
+    joints: list[Joint]
+    """In the file's order, parents first."""
+
+    columns: int
+    """Numbers a frame."""
+
+    stop: int
+    """The byte after the line MOTION."""
+
+
+def read_hierarchy(source: Source, warnings: list[str]) -> Hierarchy:
     """Read the joints of a BVH.
 
     Parameters
@@ -37,12 +60,12 @@ def read_hierarchy(source: Source, warnings: list[str]) -> tuple[list[Joint], in
     source : Source
         The file.
     warnings : list of str
-        Gains a sentence where joints have one name.
+        Gains a sentence where joints have one name or no offset, and where channels are left out.
 
     Returns
     -------
-    tuple
-        The joints in the file's order, parents first, and the byte after the line MOTION.
+    Hierarchy
+        The joints.
 
     Raises
     ------
@@ -50,20 +73,18 @@ def read_hierarchy(source: Source, warnings: list[str]) -> tuple[list[Joint], in
         When the section is not what the format says; it names the line.
     """
     content = source.content
-    if not re.match(rb"(\xef\xbb\xbf)?\s*HIERARCHY\b", content, re.IGNORECASE):
+    if not _BEGIN.match(content):
         raise source.fault(0, "the word HIERARCHY", glimpse(content), remedy="Is this a BVH file?")
     tree = _Tree(source)
-    position = 0
-    while position < len(content):
-        stop = content.find(b"\n", position)
-        stop = len(content) if stop < 0 else stop
-        line = content[position:stop].decode("utf-8", "replace").strip(" \t\r")
+    for position, raw in source.lines():
+        line = raw.decode("utf-8", "replace").strip(" \t\r")
         line = line if position else line.lstrip("\ufeff \t")
-        if line.upper() == "MOTION":
+        if line.upper().rstrip(": ") == "MOTION":
             tree.close(position)
-            return _distinct(tree.joints, warnings), stop + 1
-        tree.take(line, position)
-        position = stop + 1
+            warnings += tree.odd()
+            return Hierarchy(_distinct(tree.joints, warnings), tree.columns, position + len(raw) + 1)
+        if not line.startswith(_REMARK):
+            tree.take(line, position)
     raise source.error(
         "expected a section MOTION after the hierarchy, found the end: the file was cut short."
     )
@@ -78,6 +99,7 @@ class _Tree:
         self.open: list[int] = []  # places of joints, _END for an end site
         self.awaited: int | None = None  # what the next brace opens
         self.columns = 0
+        self.left = 0  # channels whose numbers are left out
 
     def take(self, line: str, position: int) -> None:
         """Take in one line."""
@@ -92,25 +114,37 @@ class _Tree:
         if brace:
             words = line[:-1].split(None, 1) or [""]
         word, rest = words[0].upper(), words[1].strip() if len(words) > 1 else ""
+        closing = 0
+        if word in ("OFFSET", "CHANNELS"):
+            bare = rest.rstrip("} \t")
+            rest, closing = bare, rest[len(bare) :].count("}")
         if word in ("ROOT", "JOINT"):
             self._joint(word, rest, position)
-        elif word == "END" and rest.upper().startswith("SITE"):
+        elif _END_SITE.match(line.removesuffix("{").strip()):
             self._inside(position, "an End Site within a joint", line)
             self.awaited = _END
         elif word == "OFFSET":
             self._offset(rest, position)
         elif word == "CHANNELS":
-            self._inside(position, "CHANNELS within a joint", line)
-            joint = self.joints[self.open[-1]]
-            if joint.channels:
-                raise self.source.fault(position, "CHANNELS once a joint", "them again")
-            joint.channels, joint.first = _channels(self.source, position, rest.split()), self.columns
-            self.columns += len(joint.channels)
+            self._channels(rest, position, line)
+        elif word == "HIERARCHY" and rest:
+            self.take(rest, position)
         elif word != "HIERARCHY":
             expected = "ROOT, JOINT, End Site, OFFSET, CHANNELS or a brace"
             raise self.source.fault(position, expected, repr(line[:60]))
-        if brace:
-            self._brace("{", position)
+        for mark in "{" * brace + "}" * closing:
+            self._brace(mark, position)
+
+    def odd(self) -> list[str]:
+        """Say what is odd about the joints."""
+        told = []
+        if self.left:
+            told.append(f"Channels of scale or of end sites were left out, {self.left} in number.")
+        bare = [joint.name for joint in self.joints if not joint.placed]
+        if bare:
+            names = f"{', '.join(bare[:_NAMED])}{' …' if len(bare) > _NAMED else ''}"
+            told.append(f"Joints without an OFFSET were taken to have 0 0 0: {names}.")
+        return told
 
     def close(self, position: int) -> None:
         """Check that the section is complete."""
@@ -125,6 +159,8 @@ class _Tree:
         return stop >= 0 and re.compile(rb"\s*\{").match(self.source.content, stop) is not None
 
     def _joint(self, word: str, name: str, position: int) -> None:
+        if _RUN_ON.search(name):
+            raise self.source.fault(position, "a line for each joint, OFFSET and CHANNELS", repr(name[:60]))
         if (word == "ROOT") == bool(self.open) or self.open[-1:] == [_END] or self.awaited is not None:
             raise self.source.fault(
                 position, "a ROOT outside joints and a JOINT within one", f"{word} {name}"
@@ -136,11 +172,26 @@ class _Tree:
     def _offset(self, rest: str, position: int) -> None:
         if not self.open:
             raise self.source.fault(position, "an OFFSET within a joint", "one outside")
-        offset = _floats(self.source, position, rest.split(), 3)
+        offset = _floats(self.source, position, rest, 3)
         if self.open[-1] == _END:
             self.joints[self.open[-2]].ends.append(offset)
-        else:
-            self.joints[self.open[-1]].offset = offset
+            return
+        joint = self.joints[self.open[-1]]
+        if joint.placed:
+            raise self.source.fault(position, "OFFSET once a joint", "it again")
+        joint.offset, joint.placed = offset, True
+
+    def _channels(self, rest: str, position: int, line: str) -> None:
+        if not self.open:
+            raise self.source.fault(position, "CHANNELS within a joint", repr(line[:60]))
+        letters = _channels(self.source, position, rest.split())
+        self.left += len(letters) if self.open[-1] == _END else letters.count(SCALE)
+        if self.open[-1] != _END:
+            joint = self.joints[self.open[-1]]
+            if joint.channels:
+                raise self.source.fault(position, "CHANNELS once a joint", "them again")
+            joint.channels, joint.first = letters, self.columns
+        self.columns += len(letters)
 
     def _inside(self, position: int, expected: str, line: str) -> None:
         if not self.open or self.open[-1] == _END:
@@ -170,21 +221,28 @@ def _channels(source: Source, position: int, words: list[str]) -> list[str]:
         match = _CHANNEL.match(word)
         if not match:
             raise source.fault(position, "channels such as Xposition or Zrotation", repr(word))
-        letter = match[1].lower()
-        letters.append(letter.upper() if match[2].lower() == "position" else letter)
+        kind, letter = match[2].lower(), match[1].lower()
+        letters.append(SCALE if kind == "scale" else letter.upper() if kind == "position" else letter)
     moves = [letter for letter in letters if letter.isupper()]
     if len(set(moves)) < len(moves):
         raise source.fault(position, "each position channel once", " ".join(words[1:]))
     return letters
 
 
-def _floats(source: Source, position: int, words: list[str], count: int) -> list[float]:
+def _floats(source: Source, position: int, text: str, count: int) -> list[float]:
+    """Numbers with decimal points or commas, divided by blanks or by commas."""
+    words = text.split()
+    words = (
+        text.replace(",", " ").split()
+        if len(words) != count or ", " in text
+        else text.replace(",", ".").split()
+    )
     try:
         values = [float(word) for word in words]
     except ValueError:
         values = []
     if len(values) != count or not np.isfinite(values).all():
-        raise source.fault(position, f"{count} numbers", repr(" ".join(words)[:60]))
+        raise source.fault(position, f"{count} numbers", repr(text[:60]))
     return values
 
 

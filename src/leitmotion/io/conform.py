@@ -67,15 +67,15 @@ def refuse_useless(source: Source, draft: Draft) -> None:
 
 def _check_joints(source: Source, take: SkeletonTake) -> None:
     """A skeleton is complete: refuse a joint that has no place or no rotation, or is out of all reach."""
-    for what, values in (("offset", take.offsets[None]), ("end site", take.end_offsets[None]),
-                         ("place", take.positions), ("rotation", take.rotations)):  # fmt: skip
+    for what, values in (("an offset", take.offsets[None]), ("an end site", take.end_offsets[None]),
+                         ("a place", take.positions), ("a rotation", take.rotations)):  # fmt: skip
         if not values.size or (values.min() > -FARTHEST and values.max() < FARTHEST):  # NaN fails both
             continue
         frame, joint = np.argwhere(~(np.abs(values) < FARTHEST).all(axis=-1))[0]
-        name = take.names[take.end_parents[joint] if what == "end site" else joint]
-        where = f" in frame {frame}" if what in ("place", "rotation") else ""
+        name = take.names[take.end_parents[joint] if what == "an end site" else joint]
+        where = f" in frame {frame}" if what in ("a place", "a rotation") else ""
         raise source.error(
-            f"expected a {what} of joint {name!r}{where}, found {_spell(values[frame, joint])}.",
+            f"expected {what} of joint {name!r}{where}, found {_spell(values[frame, joint])}.",
             remedy="A skeleton has no gaps: fill them in the program that made the file.",
         )
 

@@ -18,16 +18,13 @@ MISSING_WORDS = frozenset(
         b"null",
         b"none",
         b"-",
-        b"1.#ind",
-        b"1.#qnan",
-        b"1.#snan",
-        b"1.#r",
         b"#n/a",
         b"#nan",
     }
 )
 """What programs write where a number is missing, in lower case and without sign."""
 
+_INFINITE = b"1.#"  # with which Microsoft's C begins what is no number: 1.#IND, 1.#QNAN0
 _LARGEST = 1e150  # the square of a larger number is infinite
 _GAP = "A skeleton has no gaps: fill them in the program that made the file."
 _ROOM = 64  # how many numbers a byte of a table may stand for before it is refused
@@ -148,9 +145,14 @@ def settle(source: Source, values: np.ndarray, doubts: np.ndarray, *, missing: b
         except ValueError:
             number = math.nan
         if not abs(number) < _LARGEST:
-            absent = token.lower().lstrip(b"+-") in MISSING_WORDS
+            absent = _is_missing(token)
             if not (missing and absent):
                 expected = f"a number below {_LARGEST:.0e}" if math.isfinite(number) else "a number"
                 raise source.fault(start, expected, glimpse(token), remedy=_GAP if absent else "")
             number = math.nan
         flat[place] = number
+
+
+def _is_missing(token: bytes) -> bool:
+    word = token.lower().lstrip(b"+-")
+    return word in MISSING_WORDS or word.startswith(_INFINITE)
