@@ -81,7 +81,7 @@ FORMATS = (
         _starts(rb"(?:#[^\r\n]*[\r\n]\s*)*:(?:FULLY-SPECIFIED|DEGREES|RADIANS)\b"),
         text=True,
     ),
-    Format("TRC", (".trc",), "trc", _starts(rb"PathFileType\b"), text=True),
+    Format("TRC", (".trc",), "trc", _starts(rb"PathFileType\b"), writer="trc_writing", text=True),
     Format(
         "OpenSim MOT", (".mot", ".sto"), "opensim", lambda head: _module("opensim").looks(head), text=True
     ),
@@ -113,7 +113,7 @@ FORMATS = (
         (".csv",),
         "table",
         lambda head: _module("table").looks(head),
-        writer="table_writer",
+        writer="table_writing",
         text=True,
     ),
     Format("Parquet", (".parquet",), "parquet", lambda head: head.startswith(b"PAR1"), writer="parquet"),

@@ -1,6 +1,6 @@
 """Parquet: the columns of a table, compressed, with what they mean in the file's metadata.
 
-What is written here has the columns of :mod:`leitmotion.io.table_writer`. What others wrote is read as a table is: by
+What is written here has the columns of :mod:`leitmotion.io.table_writing`. What others wrote is read as a table is: by
 the names of its columns, a row a frame or a row a point. The library pyarrow reads and writes; it is imported on the
 first use.
 """
@@ -15,7 +15,7 @@ import numpy as np
 from leitmotion.io.columns import find_columns, read_columns
 from leitmotion.io.long_table import find_long
 from leitmotion.io.reading import Draft, Source
-from leitmotion.io.table_writer import as_sheet
+from leitmotion.io.table_writing import as_sheet
 from leitmotion.motion import DataError, Motion, Trajectories
 
 _KEYS = ("unit", "up", "rate", "kind", "name")
@@ -79,7 +79,7 @@ def read(source: Source) -> Draft:
 
 
 def write(recording: Motion | Trajectories, *, unit: str | float | None = None) -> bytes:
-    """Make the bytes of a Parquet file; parameters as in :func:`leitmotion.io.table_writer.as_sheet`.
+    """Make the bytes of a Parquet file; parameters as in :func:`leitmotion.io.table_writing.as_sheet`.
 
     Returns
     -------

@@ -19,9 +19,9 @@ def write(recording: Motion | Trajectories, path: str | PathLike[str], **options
     recording : Motion or Trajectories
         What to write.
     path : str or path
-        ``.bvh`` (a Motion; option `unit`, "cm" unless said otherwise), ``.c3d`` (points, or a Motion's joints; option
-        `unit`, "mm" unless said otherwise), ``.csv`` or ``.parquet`` (the same; option `unit`, the recording's own
-        unless said otherwise), ``.glb``, ``.gltf`` or ``.npz``.
+        ``.bvh`` (a Motion; option `unit`, "cm" unless said otherwise), ``.c3d`` or ``.trc`` (points, or a Motion's
+        joints; option `unit`, "mm" unless said otherwise), ``.csv`` or ``.parquet`` (the same; option `unit`, the
+        recording's own unless said otherwise), ``.glb``, ``.gltf`` or ``.npz``.
     **options
         What the format's own ``write`` takes.
 
