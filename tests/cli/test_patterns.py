@@ -285,3 +285,26 @@ def test_the_one_recording_of_a_folder_is_named(run: Run, made: Path) -> None:
 def test_looking_whether_a_place_takes_a_file_leaves_nothing_there(run: Run) -> None:
     assert run("patterns", "missing.bvh", "-o", "deep/found.npz").exit_code == 1
     assert not list(Path().iterdir())
+
+
+def test_an_eaf_holds_the_occurrences_in_the_time_of_the_whole_file(run: Run, made: Path) -> None:
+    window = f"{made / 'jacks.bvh'}[1s:]"
+    told = run("patterns", window, "--json", "-o", "found.eaf")
+    (source,) = json.loads(told.stdout)["source"]
+    found = lm.read_annotations("found.eaf", rate=source["rate"])
+    expected = [
+        (stretch["start"] + round(source["rate"]), stretch["stop"] + round(source["rate"]), pattern["id"])
+        for pattern in json.loads(told.stdout)["result"]["patterns"]
+        for stretch in pattern["occurrences"]
+    ]
+    assert len(expected) > 1
+    assert [span[:3] for span in found] == sorted(expected)
+    assert run("report", window, "--labels", "found.eaf").exit_code == 0
+    two = run("patterns", made / "jacks.bvh", made / "once.bvh", "-o", "all.eaf")
+    assert two.exit_code == 2
+    assert "shows one recording" in two.stderr
+
+
+def test_nothing_found_is_an_empty_eaf(run: Run, made: Path) -> None:
+    assert run("patterns", made / "once.bvh", "-o", "none.eaf").exit_code == 0
+    assert len(lm.read_annotations("none.eaf", rate=30)) == 0

@@ -5,7 +5,9 @@ from pathlib import Path
 
 import pytest
 
+import leitmotion as lm
 from cli.conftest import Run
+from leitmotion import io
 from leitmotion.cli import demo, pages
 
 PAGE_OF_SOMEBODY = "<!doctype html><title>My thesis</title>"
@@ -197,3 +199,18 @@ def test_demo_of_a_bad_file_writes_nothing(run: Run, made: Path) -> None:
     assert told.exit_code == 1
     assert "The page" not in told.stdout
     assert not list(Path().iterdir())
+
+
+def test_labels_of_an_eaf_come_from_one_tier(run: Run, made: Path) -> None:
+    io.write_annotations(lm.Segmentation([0], [30], ("walk",), rate=30), "labels.eaf", tier="moves")
+    text = Path("labels.eaf").read_text(encoding="utf-8")
+    tier = text[text.index("  <TIER") : text.index("  <LINGUISTIC")]
+    text = text.replace(
+        tier, tier + tier.replace("moves", "speech").replace("walk", "hello").replace('"a1"', '"a2"')
+    )
+    Path("labels.eaf").write_text(text, encoding="utf-8")
+    told = run("report", made / "jacks.bvh", "--labels", "labels.eaf")
+    assert told.exit_code == 1
+    assert "several tiers, 'moves', 'speech'" in told.stderr
+    assert run("report", made / "jacks.bvh", "--labels", "labels.eaf", "--tier", "speech").exit_code == 0
+    assert "hello" in Path("jacks.html").read_text(encoding="utf-8")

@@ -10,7 +10,10 @@ from hypothesis import strategies as st
 from leitmotion import io
 from leitmotion.motion import FormatError, ParameterError, Segmentation
 
-LABEL = st.text(st.characters(blacklist_categories=("Cs", "Cc")), max_size=12).map(str.strip)
+LETTER = st.characters(blacklist_categories=("Cs", "Cc")) | st.sampled_from("\"',;\t\n\r &<>]")
+LABEL = st.text(LETTER, max_size=12) | st.sampled_from(
+    ['say "walk"', " walk ", "a,b;c", "\r", "]]>", "NaN", "1.5"]
+)
 
 
 @pytest.mark.parametrize("extension", ["csv", "json"])
@@ -120,7 +123,7 @@ def test_found_patterns_are_labels(tmp_path):
 
 
 def test_other_extensions_are_not_written(tmp_path):
-    with pytest.raises(ParameterError, match=r"\.csv or \.json, got '\.xlsx'"):
+    with pytest.raises(ParameterError, match=r"\.csv, \.json or \.eaf, got '\.xlsx'"):
         io.write_annotations(Segmentation([], [], rate=30), tmp_path / "a.xlsx")
 
 

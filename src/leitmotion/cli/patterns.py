@@ -19,11 +19,11 @@ from leitmotion.cli.progress import Progress
 from leitmotion.cli.recordings import Opened, open_one
 
 if TYPE_CHECKING:
-    from leitmotion.api import Patterns
+    from leitmotion.api import Patterns, Segmentation
 
 TABLES = (".json", ".csv")
 PICTURES = (".png", ".svg", ".pdf")
-OF_ONE = (".html", ".npz", *PICTURES)
+OF_ONE = (".html", ".eaf", ".npz", *PICTURES)
 """Endings of what shows a single recording."""
 COLUMNS = (
     "path", "pattern", "occurrence", "start", "stop", "start_s", "stop_s", "score",
@@ -41,7 +41,8 @@ COLUMNS = (
 )
 @takes_inputs
 @output(
-    "Also write what was found, by the ending: .json or .csv; of one input .html, .png, .svg, .pdf or .npz."
+    "Also write what was found, by the ending: .json or .csv; of one input .html, .eaf (ELAN), "
+    ".png, .svg, .pdf or .npz."
 )
 @force
 @as_json
@@ -86,7 +87,11 @@ def _write_one(path: Path, opened: Opened, found: Patterns, options: Options, pr
         write_page(path, opened, found, options, progress)
         return
     progress.say(f"Writing {path.name}")
-    if ending == ".npz":
+    if ending == ".eaf":
+        from leitmotion.io import write_annotations
+
+        write_annotations(_as_labels(found, opened.first_frame), path, tier="patterns")
+    elif ending == ".npz":
         from leitmotion.api import save
 
         save(found, path)
@@ -94,6 +99,22 @@ def _write_one(path: Path, opened: Opened, found: Patterns, options: Options, pr
         from leitmotion.view import plot_patterns
 
         write_figure(path, plot_patterns(found, seconds=opened.source[0]["seconds"]))
+
+
+def _as_labels(found: Patterns, first: int) -> Segmentation:
+    """Give each occurrence the name of its pattern, in frames of the whole file, as ELAN plays it."""
+    import numpy as np
+
+    from leitmotion.api import Segmentation
+
+    spans = [pattern.occurrences for pattern in found.patterns]
+    return Segmentation(
+        starts=np.concatenate([np.zeros(0, dtype=np.int64), *(span.starts + first for span in spans)]),
+        stops=np.concatenate([np.zeros(0, dtype=np.int64), *(span.stops + first for span in spans)]),
+        labels=tuple(pattern.id for pattern in found.patterns for _ in pattern.occurrences),
+        scores=np.concatenate([np.zeros(0), *(span.scores for span in spans)]),
+        rate=found.rate,
+    )
 
 
 def _rows(document: Document) -> Iterator[dict[str, object]]:

@@ -38,8 +38,9 @@ if TYPE_CHECKING:
     "--labels",
     type=click.Path(exists=True, dir_okay=False, path_type=Path),
     metavar="FILE",
-    help="Labels from elsewhere (.csv, .json, .txt), shown in a lane of their own.",
+    help="Labels from elsewhere (.csv, .json, .eaf, .txt), shown in a lane of their own.",
 )
+@click.option("--tier", metavar="NAME", help="Which tier of an .eaf, where it has several; '*' for all.")
 @click.option("--open", "open_it", is_flag=True, help="Open the page in the browser.")
 @force
 @as_json
@@ -47,6 +48,7 @@ if TYPE_CHECKING:
 def report(
     inputs: tuple[str, ...],
     labels: Path | None,
+    tier: str | None,
     open_it: bool,
     options: Options,
 ) -> None:
@@ -67,7 +69,7 @@ def report(
         from leitmotion.view.words import title
 
         opened = open_one(given, options, progress)
-        lane, notes = (None, []) if labels is None else _read_labels(labels, opened)
+        lane, notes = (None, []) if labels is None else _read_labels(labels, tier, opened)
         found = search(opened.body, options, progress)
         page = pages[given.shown]
         write_page(
@@ -92,11 +94,11 @@ def report(
     finish(answer_each("report", inputs, options, look, check=check))
 
 
-def _read_labels(path: Path, opened: Opened) -> tuple[Segmentation, list[str]]:
+def _read_labels(path: Path, tier: str | None, opened: Opened) -> tuple[Segmentation, list[str]]:
     """Read labels of the whole file, keep those of the window that was read, and say how many are not."""
     from leitmotion.api import Segmentation, read_annotations
 
-    labels = read_annotations(path, rate=opened.recording.rate, trial=opened.recording.name)
+    labels = read_annotations(path, rate=opened.recording.rate, trial=opened.recording.name, tier=tier)
     first, frames = opened.first_frame, len(opened.recording)
     inside = (labels.starts < first + frames) & (labels.stops > first)
     kept = Segmentation(

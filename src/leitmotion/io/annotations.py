@@ -1,4 +1,4 @@
-"""Labelled stretches of time on disk: CSV and JSON both ways, and two layouts of public data sets.
+"""Labelled stretches of time on disk: CSV, JSON and EAF both ways, and two layouts of public data sets.
 
 A stretch is ``{"start", "stop", "start_s", "stop_s", "label", "score"}``: frames half-open, seconds beside them. In CSV
 these are columns. Where a file has seconds only, or numbers with a decimal point, they are seconds; where it has both
@@ -19,35 +19,41 @@ from typing import Any
 
 import numpy as np
 
+from leitmotion.io.dataset_labels import Row, from_aca, from_blocks
+from leitmotion.io.elan import read_eaf
+from leitmotion.io.elan_writing import eaf_of
 from leitmotion.io.files import read_bytes, write_whole
 from leitmotion.motion import FormatError, ParameterError, Segmentation
 
-_ACA_RATE = 120.0
-_BLOCK = 12  # frames of 120 Hz in a block of the mocap6 labels
 _LAST = 2.0**53  # beyond it frames are no whole numbers
 _LISTS = ("segments", "stretches", "repetitions", "occurrences", "spans")
 _COLUMNS = ("start", "stop", "start_s", "stop_s", "label", "score")
 _ALIASES = {"end": "stop", "end_s": "stop_s", "begin": "start", "name": "label", "start_frame": "start",
             "stop_frame": "stop", "end_frame": "stop"}  # fmt: skip
 
-Row = tuple[float, float, str, float]  # start and stop in frames, label, score
-
 
 def read_annotations(
-    path: str | PathLike[str], *, rate: float, trial: str | None = None, frames: int | None = None
+    path: str | PathLike[str],
+    *,
+    rate: float,
+    trial: str | None = None,
+    tier: str | None = None,
+    frames: int | None = None,
 ) -> Segmentation:
     """Read labelled stretches of a recording.
 
     Parameters
     ----------
     path : str or path
-        ``.csv``, ``.json``, or the text layouts of the ACA annotation of CMU subject 86 (blocks of
+        ``.csv``, ``.json``, ``.eaf`` of ELAN, or the text layouts of the ACA annotation of CMU subject 86 (blocks of
         ``name earliest best latest`` frames at which a segment ends) and of mocap6 (one number per 12 frames, names in
         ``action_names.csv`` beside it).
     rate : float
         Frames per second of the recording.
     trial : str, optional
         Which block of a file with several, such as "86_01".
+    tier : str, optional
+        Which tier of an EAF with several, "*" for all. An annotation there that is shorter than a frame has one.
     frames : int, optional
         Length of the recording; stretches are cut to it.
 
@@ -61,10 +67,12 @@ def read_annotations(
     FormatError
         When the file is missing or has another layout.
     ParameterError
-        When the file holds several trials and `trial` is none of them.
+        When the file holds several trials and `trial` is none of them, or several tiers and `tier` is none of them.
     """
     path = Path(path)
     content = read_bytes(path)
+    if path.suffix.lower() == ".eaf":
+        return _segmentation(_from_eaf(content, rate, tier, path), rate, frames, path)
     try:
         text = content.decode("utf-8-sig")
     except UnicodeDecodeError:
@@ -72,18 +80,24 @@ def read_annotations(
     if path.suffix.lower() == ".json" or text.lstrip().startswith(("{", "[")):
         rows = _from_json(text, rate, path)
     elif re.fullmatch(r"[\d\s]+", text):
-        rows = _from_blocks(text, rate, path)
+        rows = from_blocks(text, rate, path)
     elif path.suffix.lower() in (".csv", ".tsv"):
         rows = _from_csv(text, rate, path)
     elif re.search(r"^\S+[ \t]+\d+[ \t]+\d+[ \t]+\d+[ \t]*$", text, re.MULTILINE):
-        rows = _from_aca(text, rate, trial, path)
+        rows = from_aca(text, rate, trial, path)
     else:
         rows = _from_csv(text, rate, path)
     return _segmentation(rows, rate, frames, path)
 
 
-def write_annotations(segmentation: Segmentation, path: str | PathLike[str]) -> Path:
-    """Write labelled stretches as ``.csv`` or ``.json``, frames and seconds.
+def write_annotations(
+    segmentation: Segmentation,
+    path: str | PathLike[str],
+    *,
+    tier: str = "labels",
+    media: str | PathLike[str] | None = None,
+) -> Path:
+    """Write labelled stretches as ``.csv`` or ``.json``, frames and seconds, or as ``.eaf`` for ELAN, milliseconds.
 
     Parameters
     ----------
@@ -91,6 +105,10 @@ def write_annotations(segmentation: Segmentation, path: str | PathLike[str]) -> 
         The stretches.
     path : str or path
         The file; its extension chooses the layout.
+    tier : str
+        What the tier of an EAF is called; stretches that overlap stand on further ones, ``labels 2``.
+    media : str or path, optional
+        The video or sound that ELAN opens with an EAF.
 
     Returns
     -------
@@ -100,20 +118,27 @@ def write_annotations(segmentation: Segmentation, path: str | PathLike[str]) -> 
     Raises
     ------
     ParameterError
-        When the extension is another.
+        When the extension is another, or a label is no text for an EAF.
     """
     path = Path(path)
+    if path.suffix.lower() == ".eaf":
+        return write_whole(
+            path, eaf_of(segmentation, tier=tier, media=None if media is None else Path(media))
+        )
     rows = as_stretches(segmentation)
     if path.suffix.lower() == ".json":
         document = {"rate": segmentation.rate, "segments": rows}
         return write_whole(path, json.dumps(document, ensure_ascii=False, indent=1) + "\n")
     if path.suffix.lower() == ".csv":
         file = io.StringIO()
-        writer = csv.writer(file, lineterminator="\n")
+        plain = all(label.isprintable() and label == label.strip() for label in segmentation.labels)
+        writer = csv.writer(
+            file, lineterminator="\n", quoting=csv.QUOTE_MINIMAL if plain else csv.QUOTE_NONNUMERIC
+        )
         writer.writerow(_COLUMNS)
         writer.writerows([["" if row[name] is None else row[name] for name in _COLUMNS] for row in rows])
         return write_whole(path, file.getvalue())
-    raise ParameterError(f"Annotations are written as .csv or .json, got {path.suffix or path.name!r}.")
+    raise ParameterError(f"Annotations are written as .csv, .json or .eaf, got {path.suffix or path.name!r}.")
 
 
 def as_stretches(segmentation: Segmentation) -> list[dict[str, Any]]:
@@ -142,6 +167,14 @@ def as_stretches(segmentation: Segmentation) -> list[dict[str, Any]]:
         }
         for start, stop, label, score in segmentation
     ]  # fmt: skip
+
+
+def _from_eaf(content: bytes, rate: float, tier: str | None, path: Path) -> list[Row]:
+    rows = []
+    for start, stop, label in read_eaf(content, path, tier):
+        first = round(start * rate)
+        rows.append((float(first), float(max(round(stop * rate), first + 1)), label, math.nan))
+    return rows
 
 
 def _segmentation(rows: list[Row], rate: float, frames: int | None, path: Path) -> Segmentation:
@@ -248,11 +281,17 @@ def _occurrences(patterns: Any) -> list[dict[str, Any]] | None:
 def _from_csv(text: str, rate: float, path: Path) -> list[Row]:
     first = text.partition("\n")[0]
     delimiter = max(",;\t", key=first.count)
-    lines = [
-        (number, cells)
-        for number, cells in enumerate(csv.reader(io.StringIO(text, newline=""), delimiter=delimiter), 1)
-        if any(cell.strip() for cell in cells)
-    ]
+    try:
+        lines = [
+            (number, cells)
+            for number, cells in enumerate(csv.reader(io.StringIO(text, newline=""), delimiter=delimiter), 1)
+            if any(cell.strip() for cell in cells)
+        ]
+    except csv.Error as error:
+        raise FormatError(
+            f"{path.name}: expected a table, found that a cell does not end ({error})."
+        ) from None
+    ours = lines[0][1] == list(_COLUMNS)
     header = [cell.strip().lower() for cell in lines[0][1]]
     names = [_ALIASES.get(word, word) for word in header]
     if {"start", "stop"} <= set(names) or {"start_s", "stop_s"} <= set(names):
@@ -283,6 +322,8 @@ def _from_csv(text: str, rate: float, path: Path) -> list[Row]:
     rows = []
     for number, cells in lines:
         entry: dict[str, Any] = dict(zip(names, (cell.strip() for cell in cells)))
+        if ours:  # written here, and to the letter
+            entry["label"] = cells[names.index("label")] if len(cells) == len(names) else entry.get("label")
         if decimal:  # one decimal point makes a column of seconds
             entry = {"start_s": entry.pop("start", ""), "stop_s": entry.pop("stop", ""), **entry}
         rows.append(_row(entry, rate, f"{path.name}, line {number}"))
@@ -294,52 +335,3 @@ def _is_number(word: str) -> bool:
         return math.isfinite(float(word))
     except ValueError:
         return False
-
-
-def _from_aca(text: str, rate: float, trial: str | None, path: Path) -> list[Row]:
-    """Blocks of ``name earliest best latest``, the frames, from 1 at 120 Hz, with which a segment ends."""
-    blocks: dict[str, list[Row]] = {}
-    rows: list[Row] = []
-    begin = 0.0
-    for number, line in enumerate(text.splitlines(), 1):
-        words = line.split()
-        if len(words) == 2 and words[0].isdigit():
-            begin, rows = 0.0, blocks.setdefault("_".join(words), [])
-        elif len(words) == 4 and re.fullmatch(r"[0-9]{1,12}", words[2]):
-            end = (
-                float(words[2]) * rate / _ACA_RATE
-            )  # the last frame counted from 1 is the stop counted from 0
-            rows.append((begin, end, words[0], math.nan))
-            begin = end
-        elif words:
-            raise FormatError(
-                f"{path.name}, line {number}: expected a trial or a name and three frames, found {line!r}."
-            )
-    wanted = trial.replace(" ", "_") if trial else None
-    if wanted is None and len(blocks) == 1:
-        wanted = next(iter(blocks))
-    if wanted not in blocks:
-        asked = f"no trial {trial!r}" if trial else "several trials"
-        raise ParameterError(
-            f"{path.name} holds {asked}; it holds {', '.join(blocks)}: choose one with trial=."
-        )
-    return blocks[wanted]
-
-
-def _from_blocks(text: str, rate: float, path: Path) -> list[Row]:
-    """One number a block of 12 frames at 120 Hz; runs of one number are one stretch."""
-    names = {}
-    beside = path.with_name("action_names.csv")
-    if beside.is_file():
-        for cells in csv.reader(io.StringIO(beside.read_text(encoding="utf-8-sig"))):
-            if len(cells) > 1 and cells[0].strip().isdigit():
-                names[int(cells[0])] = cells[1].strip()
-    frames = _BLOCK * rate / _ACA_RATE
-    rows: list[Row] = []
-    numbers = [int(word) for word in text.split()]
-    begin = 0
-    for k, number in enumerate(numbers):
-        if k + 1 == len(numbers) or numbers[k + 1] != number:
-            rows.append((begin * frames, (k + 1) * frames, names.get(number, str(number)), math.nan))
-            begin = k + 1
-    return rows
