@@ -124,6 +124,7 @@ def test_one_subject_is_taken_off_the_names(tmp_path, walk):
 LONG = {
     "the first block only": ({}, {}),
     "LONG_FRAMES": ({"LONG_FRAMES": 70000.0}, {}),
+    "LONG_FRAMES in two words": ({"LONG_FRAMES": (70000 & 0xFFFF, 1)}, {}),
     "FRAMES as a float": ({"FRAMES": 70000.0}, {}),
     "FRAMES is -1": ({"FRAMES": (-1,)}, {}),
     "the field's end": (
@@ -288,14 +289,21 @@ def test_whole_numbers_without_a_scale_are_taken_as_they_are(tmp_path):
         (100.0, 0.0, 100.0, False),
         (100.0, float("nan"), 100.0, False),
         (100.0, 50.0, 100.0, True),
+        (0.01, 100.0, 100.0, True),
     ],
 )
 def test_the_rate_by_parameter_and_first_block(tmp_path, walk, stated, header, rate, told):
     path = put(tmp_path, c3d_bytes(walk, LABELS, parameters={"RATE": stated}, header={10: header}))
     reading = io.open_recording(path)
     assert reading.recordings[0].rate == rate
-    assert any("Hz in POINT:RATE and" in warning for warning in reading.warnings) == told
+    assert any(f"{rate:g} Hz was taken" in warning for warning in reading.warnings) == told
     assert io.open_recording(path, rate=25).warnings == ()
+
+
+def test_a_frame_of_a_second_is_doubted(tmp_path, walk):
+    path = put(tmp_path, c3d_bytes(walk, LABELS, rate=0.5))
+    assert any("A frame lasts 2 s" in warning for warning in io.open_recording(path).warnings)
+    assert io.open_recording(path, rate=50).warnings == ()
 
 
 @pytest.mark.parametrize(
@@ -365,6 +373,13 @@ def test_any_damage_to_the_parameters_is_a_reading_or_a_sentence(tmp_path, walk,
         else:
             sentence = f"{len(reading.recordings)} read"
         assert sentence == "1 read" or sentence.startswith("trial.c3d: expected")
+
+
+def test_points_that_are_never_seen_are_a_recording(tmp_path, walk):
+    residuals = np.full(walk.shape[:2], -1.0)
+    nothing = {"UNITS": None, "X_SCREEN": None, "Y_SCREEN": None}
+    path = put(tmp_path, c3d_bytes(walk, LABELS, residuals=residuals, parameters=nothing))
+    assert np.isnan(io.read(path).positions).all()
 
 
 def test_points_beyond_the_labels_are_numbered_and_told(tmp_path, walk):
@@ -453,6 +468,53 @@ def test_all_points_of_real_files_are_those_of_the_public_readers(data, name, th
     np.testing.assert_array_equal(np.isnan(points), np.repeat(unseen[..., None], 3, axis=-1))
     np.testing.assert_allclose(points, expected, rtol=1e-6, atol=1e-5)
     assert io.read(path).rate == pytest.approx(rate, rel=1e-6)
+
+
+def written_by_ezc3d(path, places, labels):
+    file = ezc3d.c3d()
+    for name, value in (("RATE", [119.88]), ("LABELS", labels), ("UNITS", ["mm"])):
+        file["parameters"]["POINT"][name]["value"] = value
+    points = np.ones((4, places.shape[1], len(places)))
+    points[:3] = places.transpose(2, 1, 0)
+    file["data"]["points"] = points
+    file["data"]["meta_points"]["residuals"] = np.where(np.isnan(places[..., 0]), -1, 0).T[None]
+    file["data"]["meta_points"]["camera_masks"] = np.zeros((7, *points.shape[1:]), dtype=bool)
+    file.write(str(path))
+
+
+def written_by_c3d(path, places, labels):
+    writer = c3d.Writer(point_rate=119.88, analog_rate=0, point_scale=-1.0)
+    writer.set_point_labels(labels)
+    for frame in places:
+        points = np.zeros((len(frame), 5), dtype=np.float32)
+        points[:, :3] = np.nan_to_num(frame)
+        points[:, 3] = np.where(np.isnan(frame[:, 0]), -1, 0)
+        writer.add_frames([(points, np.array([[]]))])
+    with path.open("wb") as file, warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        writer.write(file)
+
+
+@pytest.mark.parametrize(
+    ("write", "frames", "points"),
+    [
+        (written_by_ezc3d, 50, 4),
+        (written_by_ezc3d, 20, 300),
+        (written_by_ezc3d, 65535, 1),
+        (written_by_ezc3d, 66000, 1),
+        (written_by_c3d, 50, 4),
+        (written_by_c3d, 66000, 2),
+    ],
+)
+def test_what_public_writers_write_is_read(tmp_path, rng, write, frames, points):
+    places = rng.normal(0, 800, (frames, points, 3))
+    places[rng.random((frames, points)) < 0.1] = np.nan
+    labels = [f"M{k}" for k in range(points)]
+    write(tmp_path / "theirs.c3d", places, labels)
+    reading = io.open_recording(tmp_path / "theirs.c3d", up="z", unit="mm")
+    (markers,) = reading.recordings
+    np.testing.assert_allclose(markers.positions, y_up(places), rtol=1e-6, atol=1e-9)
+    assert (markers.names, markers.rate, reading.warnings) == (tuple(labels), 119.88, ())
 
 
 @pytest.mark.data

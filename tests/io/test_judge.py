@@ -200,3 +200,14 @@ def test_a_person_who_lies_in_a_bvh_keeps_the_vertical(data, tmp_path):
     motion = io.read(data / "hdm05" / "lieDownFloor" / "HDM_bd_lieDownFloor_001_120.amc")
     reading = io.open_recording(io.write(motion, tmp_path / "lies.bvh"))
     assert reading.findings["up"].value == "y"
+
+
+def test_the_size_of_a_cloud_of_points_is_that_of_its_outermost(rng):
+    cloud = rng.normal(size=(1, 20_000, 3))
+    cloud *= np.array([250.0, 850.0, 150.0]) / np.linalg.norm(cloud, axis=-1, keepdims=True)
+    many, few = (PointTake([f"p{k}" for k in range(n)], cloud[:, :n]) for n in (20_000, 199))
+    sizes = [judge_unit(points, points.positions)[0].reason for points in (many, few)]
+    assert sizes == [
+        "with it the body measures 1.70 m across, an adult's about 1.7 m",
+        "with it the body measures 1.69 m across, an adult's about 1.7 m",
+    ]

@@ -25,6 +25,7 @@ from leitmotion.io.units import unit_named
 _COMPUTED = ("ANGLES", "FORCES", "MOMENTS", "POWERS", "SCALARS", "REACTIONS", "MODELED_MARKERS")
 _AXES = "OALP"  # last letters of the four points by which Plug-in Gait stores a segment's axes
 _NO_LENGTHS = ("px", "relative")  # words for units of points that are not in metres
+_SLOWEST = 1.0  # hertz, of a rate that is believed without a word
 _CHUNK = 1 << 17  # numbers at a time, so that what lies between the file and the positions stays small
 
 OURS = "Leitmotion"
@@ -155,12 +156,20 @@ def _rate(source: Source, header: Header, warnings: list[str]) -> Finding:
         if source.options.rate is None:
             raise source.error("expected a rate above 0 Hz, found none.", remedy="State it with --rate HZ.")
         return Finding(source.options.rate, "given", "rate given by the caller")
-    where, rate = next(iter(rates.items()))
-    if max(rates.values()) > 1.001 * min(rates.values()) and source.options.rate is None:
-        warnings.append(
-            f"The rate is {rates['POINT:RATE']:g} Hz in POINT:RATE and {rates['the first block']:g} Hz in the first "
-            "block; the former was taken: if it is wrong, state the rate with --rate HZ."
-        )
+    # the parameter, unless its frames last a second and more and those of the first block do not
+    where = next((where for where, rate in rates.items() if rate > _SLOWEST), next(iter(rates)))
+    rate = rates[where]
+    if source.options.rate is None:
+        if max(rates.values()) > 1.001 * min(rates.values()):
+            both = " and ".join(f"{other:g} Hz in {place}" for place, other in rates.items())
+            warnings.append(
+                f"The rate is {both}; {rate:g} Hz was taken: if it is wrong, state the rate with --rate HZ."
+            )
+        if rate <= _SLOWEST:
+            warnings.append(
+                f"A frame lasts {1 / rate:g} s, longer than a movement's do: if that is not so, state the rate with "
+                "--rate HZ."
+            )
     return Finding(rate, "read", f"stated in {where}")
 
 

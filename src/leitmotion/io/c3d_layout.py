@@ -128,20 +128,20 @@ def _blocks(source: Source, header: Header) -> dict[str, int]:
 def _counts(header: Header) -> dict[str, int]:
     """How many frames there are, by each place that says so; the first block first."""
     counts: dict[str, int | None] = {"the first block": header.last - header.first + 1}
-    counts["POINT:LONG_FRAMES"] = header.count("POINT", "LONG_FRAMES")
-    end = _wide(header, "ACTUAL_END_FIELD")
+    counts["POINT:LONG_FRAMES"] = _wide(header, "POINT", "LONG_FRAMES")
+    end = _wide(header, "TRIAL", "ACTUAL_END_FIELD")
     if end is not None:
-        first = _wide(header, "ACTUAL_START_FIELD")
+        first = _wide(header, "TRIAL", "ACTUAL_START_FIELD")
         counts["TRIAL:ACTUAL_END_FIELD"] = end - (header.first if first is None else first) + 1
     counts["POINT:FRAMES"] = header.count("POINT", "FRAMES")
     return _claims(counts, 1)
 
 
-def _wide(header: Header, name: str) -> int | None:
-    """A frame number in two 16-bit words, or in one number of another kind."""
-    words = header.parameters.get(("TRIAL", name))
+def _wide(header: Header, group: str, name: str) -> int | None:
+    """A number of frames in two 16-bit words, or in one number of another kind."""
+    words = header.parameters.get((group, name))
     if not isinstance(words, np.ndarray) or words.size < 2 or words.dtype.kind != "i":
-        return header.count("TRIAL", name)
+        return header.count(group, name)
     low, high = (int(word) & _FULL for word in words[:2])
     return low + (high << 16)
 
@@ -182,7 +182,7 @@ def _frames_by_header(
         data = source.content[start + max(0, room - BLOCK - stride) :]
         return fit - min(fit - 1, (len(data) - len(data.rstrip(b"\0"))) // stride)
     rest = np.frombuffer(source.content, dtype=np.uint8)[start + promised * stride :]
-    if rest.any():
+    if promised < fit and rest.any():
         warnings.append(
             f"The header promises {promised} frames, the file would hold {fit}; {promised} were read."
         )

@@ -5,6 +5,8 @@ Every judgement is a :class:`~leitmotion.io.reading.Finding` that is "guessed" a
 
 from __future__ import annotations
 
+from itertools import product
+
 import numpy as np
 
 from leitmotion.io.reading import Finding, PointTake, SkeletonTake
@@ -19,6 +21,7 @@ _USUAL = 1.35  # by which factor a body may differ from the usual one without a 
 _SMALLEST = 0.25  # share of the usual size that the smallest of people, half a metre tall, still has
 _MIDDLE = 0.63  # share of the usual size about which people of all ages lie within a decade
 _LOOKS = 32  # frames looked at
+_MANY = 200  # points of which every pair is looked at
 _STEADY = 0.08  # how far, of the body's size, the lowest point may wander on a ground
 _GROUND = 0.2  # how far, of the body's size, a ground may lie from zero
 _UPRIGHT = 0.8  # share of the way from feet to head that must lie along one axis
@@ -344,8 +347,17 @@ def _size(positions: np.ndarray) -> float:
     for points in positions:
         seen = points[np.isfinite(points).all(axis=1)]
         if len(seen) > 1:
-            sizes.append(np.linalg.norm(seen[:, None] - seen[None], axis=-1).max())
+            outer = _outermost(seen)
+            sizes.append(np.linalg.norm(outer[:, None] - outer[None], axis=-1).max())
     return float(np.median(sizes)) if sizes else 0.0
+
+
+def _outermost(points: np.ndarray) -> np.ndarray:
+    """Of very many points (P, C) those that lie farthest along an axis or between axes, since pairs are P squared."""
+    if len(points) <= _MANY:
+        return points
+    ways = [way for way in product((-1, 0, 1), repeat=points.shape[1]) if any(way)]
+    return points[np.unique((points @ np.array(ways).T).argmax(axis=0))]
 
 
 def _pair(words: list[str], parts: tuple[str, ...]) -> list[int]:
