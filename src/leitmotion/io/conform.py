@@ -7,7 +7,15 @@ from __future__ import annotations
 
 import numpy as np
 
-from leitmotion.io.judge import contradict_up, judge_sides, judge_unit, judge_up, look, makes_an_adult
+from leitmotion.io.judge import (
+    contradict_up,
+    doubt_unit,
+    judge_sides,
+    judge_unit,
+    judge_up,
+    look,
+    makes_an_adult,
+)
 from leitmotion.io.reading import Draft, Finding, Options, PointTake, SkeletonTake, Source
 from leitmotion.io.units import METRES, unit_in_metres
 from leitmotion.motion import Motion, ParameterError, Skeleton, Trajectories
@@ -182,6 +190,9 @@ def _unit(
         or draft.unit.value in IMAGE_UNITS
         or makes_an_adult(draft.unit.value, take, positions)
     ):
+        doubt = doubt_unit(draft.unit, take, positions)
+        if doubt:
+            draft.warnings.append(doubt)
         return draft.unit, METRES.get(draft.unit.value, 1.0)
     unit, warning = judge_unit(take, positions)
     if warning:

@@ -18,6 +18,7 @@ _OTHERS = ("inch", "1/0.45 inch")
 _STANDING = 1.7  # metres, the largest distance between two points of a standing adult
 _ANKLE_TO_HEAD = 1.5  # metres, along the joints, of an adult
 _USUAL = 1.35  # by which factor a body may differ from the usual one without a word
+_TOY = 20.0  # by which factor the body of a stated unit may differ from the usual one without a word
 _SMALLEST = 0.25  # share of the usual size that the smallest of people, half a metre tall, still has
 _MIDDLE = 0.63  # share of the usual size about which people of all ages lie within a decade
 _LOOKS = 32  # frames looked at
@@ -247,6 +248,36 @@ def makes_an_adult(unit: str, take: SkeletonTake | PointTake, positions: np.ndar
     """
     size, usual, _ = _body_size(take, positions)
     return size == 0.0 or bool(abs(np.log(size * METRES[unit] / usual)) <= np.log(_USUAL))
+
+
+def doubt_unit(stated: Finding, take: SkeletonTake | PointTake, positions: np.ndarray) -> str:
+    """Tell whether a stated unit makes the body a toy's or a tower's, and another metric one an adult's.
+
+    Parameters
+    ----------
+    stated : Finding
+        What the file says.
+    take : SkeletonTake or PointTake
+        The person.
+    positions : (L, P, C) float
+        What :func:`look` saw.
+
+    Returns
+    -------
+    str
+        A warning, empty where the unit may stand.
+    """
+    size, usual, what = _body_size(take, positions)
+    if stated.how != "read" or stated.value not in METRES or size == 0.0:
+        return ""
+    metres = size * METRES[stated.value]
+    better = [word for word in _METRIC if makes_an_adult(word, take, positions)]
+    if not better or abs(np.log(metres / usual)) < np.log(_TOY):
+        return ""
+    return (
+        f"{stated.reason}, but with it the body measures {metres:.3g} m {what}; with {better[0]} it would be an "
+        f"adult's: if so, state the unit with --unit {better[0]}."
+    )
 
 
 def judge_sides(motion: Motion) -> Finding | None:
