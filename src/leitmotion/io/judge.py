@@ -267,16 +267,21 @@ def doubt_unit(stated: Finding, take: SkeletonTake | PointTake, positions: np.nd
     str
         A warning, empty where the unit may stand.
     """
-    size, usual, what = _body_size(take, positions)
-    if stated.how != "read" or stated.value not in METRES or size == 0.0:
+    if stated.how != "read" or stated.value not in METRES:
         return ""
+    about = float(np.linalg.norm(_median(_reach(positions)))) * METRES[stated.value] / _STANDING
+    if 2.0 / _TOY < about < _TOY / 2.0:
+        return ""  # without a look at every pair of points
+    size, usual, what = _body_size(take, positions)
     metres = size * METRES[stated.value]
-    better = [word for word in _METRIC if makes_an_adult(word, take, positions)]
-    if not better or abs(np.log(metres / usual)) < np.log(_TOY):
+    if size == 0.0 or 1.0 / _TOY < metres / usual < _TOY:
+        return ""
+    better = min(_METRIC, key=lambda word: abs(np.log(size * METRES[word] / usual)))
+    if not makes_an_adult(better, take, positions):
         return ""
     return (
-        f"{stated.reason}, but with it the body measures {metres:.3g} m {what}; with {better[0]} it would be an "
-        f"adult's: if so, state the unit with --unit {better[0]}."
+        f"{stated.reason}, but with it the body measures {metres:.3g} m {what}; with {better} it would be an adult's: "
+        f"if so, state the unit with --unit {better}."
     )
 
 
