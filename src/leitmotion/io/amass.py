@@ -38,7 +38,7 @@ _PLACE = ("trans", "transl", "smpl_trans")
 _RATE = ("mocap_framerate", "mocap_frame_rate", "framerate", "frame_rate", "fps")
 _UNKNOWN_RATE = 120.0  # of most of the sets in AMASS
 _Z_UP = np.array([[1.0, 0.0, 0.0], [0.0, 0.0, -1.0], [0.0, 1.0, 0.0]])  # of the T-pose, which has Y up
-_INFLATION = 1000  # by how much a member may grow when unpacked, beyond a first 64 MB
+_INFLATION = 100  # by how much a member may grow when unpacked, beyond a first 64 MB
 
 
 def read(source: Source) -> Draft:

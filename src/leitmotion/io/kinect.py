@@ -75,7 +75,11 @@ def read(source: Source) -> Draft:
             remedy="Name the columns in a first line: time, NAME_x, NAME_y, NAME_z.",
         )
     joints, numbers = _ROWS[count]
-    rows = read_rows(source, 0, count, delimiter=delimiter, missing=True)
+    # between blanks no cell is empty, and a row that is short is a row that is broken
+    missing = delimiter != " " or re.search(rb"nan", source.content, re.IGNORECASE) is not None
+    rows = read_rows(source, 0, count, delimiter=delimiter, missing=missing)
+    if rows.cut:
+        warnings.append("The file ends within a row, which was left out.")
     positions = rows.values.reshape(len(rows.values), len(joints.joints), numbers)[..., :3].copy()
     positions[~np.isfinite(positions).all(axis=-1)] = np.nan
     unseen_in_origin(positions, warnings)
