@@ -6,6 +6,7 @@ import json
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
 
 from cli.conftest import Run
@@ -85,3 +86,25 @@ def test_real_recordings(run: Run, data: Path, name: str, unit: str, rate: float
     assert found["unit"]["value"] == unit
     assert found["rate"]["value"] == pytest.approx(rate, abs=0.5)
     assert 1.0 < found["size"]["value"] < 1.7
+
+
+def test_pickles_are_read_with_trust_only(run: Run, tmp_path: Path) -> None:
+    held = {
+        "rotation": {"arr": np.tile([0.0, 0, 0, 1], (90, 2, 1))},
+        "root_translation": {"arr": np.zeros((90, 3))},
+        "skeleton_tree": {
+            "node_names": ["pelvis", "head"],
+            "parent_indices": {"arr": [-1, 0]},
+            "local_translation": {"arr": [[0, 0, 0], [0, 0, 0.7]]},
+        },
+        "fps": 30,
+    }
+    path = tmp_path / "a.npy"
+    np.save(path, np.array(held, dtype=object), allow_pickle=True)
+    refused = run("info", path)
+    assert refused.exit_code == 1
+    assert refused.stderr.count("\n") == 1
+    assert "--trust" in refused.stderr
+    document = json.loads(run("info", path, "--trust", "--json").stdout)
+    assert document["parameters"]["reading"] == {"trust": True}
+    assert document["result"]["rate"]["value"] == 30

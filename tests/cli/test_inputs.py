@@ -183,3 +183,19 @@ def test_what_is_piped_without_end_is_refused(run: Run, monkeypatch: pytest.Monk
     told = run("info", "-", stdin=b"0" * (4 << 20))
     assert told.exit_code == 1
     assert "Standard input goes on beyond" in told.stderr
+
+
+def test_files_that_are_one_recording_together_are_one_input(tmp_path: Path) -> None:
+    for name in ("c_2_keypoints.json", "c_1_keypoints.json", "c_10_keypoints.json"):
+        (tmp_path / "clip").mkdir(exist_ok=True)
+        (tmp_path / "clip" / name).write_text("{}", encoding="utf-8")
+    with expand([f"{tmp_path / 'clip'}[1:2]"], (".json", ".txt")) as inputs:
+        assert [(given.shown, given.source) for given in inputs] == [
+            (f"{tmp_path / 'clip'}[1:2]", f"{tmp_path / 'clip' / 'c_1_keypoints.json'}[1:2]")
+        ]
+    for kind in ("Positions", "Angles"):
+        (tmp_path / kind).mkdir()
+        (tmp_path / kind / f"m01_{kind.lower()}.txt").write_text("1", encoding="utf-8")
+    with expand([str(tmp_path)], (".json", ".txt")) as inputs:
+        assert [given.path.name for given in inputs] == ["m01_positions.txt", "c_1_keypoints.json"]
+        assert all(given.doubtful for given in inputs)

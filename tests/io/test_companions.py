@@ -12,7 +12,8 @@ def test_frames_are_told_by_their_numbers():
     assert frame_of("clip_000000000012_keypoints.json") == ("clip", 12)
     assert frame_of("take_2_7_KEYPOINTS.json") == ("take_2", 7)
     assert frame_of("0_keypoints.json") == ("", 0)
-    assert frame_of("keypoints.json") is None and frame_of("clip_12.json") is None
+    assert frame_of("keypoints.json") is None
+    assert frame_of("clip_12.json") is None
 
 
 def test_the_first_frame_stands_for_its_clip_and_positions_for_their_angles():

@@ -45,7 +45,8 @@ def test_joints_are_told_by_their_number_and_left_is_left(tmp_path, person, join
         values[..., 0] *= -1  # with y down and z away, the left of who faces the camera is at larger x
     (tmp_path / "a.txt").write_text(rows(values, mark))
     told = lm.info(tmp_path / "a.txt")
-    assert told.names == joints.joints and told.findings["joints"].how == "guessed"
+    assert told.names == joints.joints
+    assert told.findings["joints"].how == "guessed"
     assert (told.findings["unit"].value, told.findings["up"].value) == (
         ("mm", "-y") if joints is AZURE else ("m", "y")
     )
@@ -80,7 +81,9 @@ def test_other_lengths_and_words_are_no_table_of_a_kinect(tmp_path):
 @pytest.mark.data
 def test_keraal_kinect_faces_the_camera_and_is_no_mirror_image_of_the_vicon(data):
     kinect = io.read(data / "keraal" / "G3-Kinect-CTK-P1T1-Unknown-C-0.txt")
-    assert kinect.names == KINECT_2.joints and len(kinect) == 197 and kinect.kind == "joint"
+    assert kinect.names == KINECT_2.joints
+    assert len(kinect) == 197
+    assert kinect.kind == "joint"
     told = lm.info(kinect)
     assert 1.3 < told.findings["size"].value < 1.45
     assert abs(abs(np.degrees(told.findings["facing"].value)) - 180) < 20
@@ -90,9 +93,14 @@ def test_keraal_kinect_faces_the_camera_and_is_no_mirror_image_of_the_vicon(data
         assert at[f"Knee{side}"][2] < at[f"Hip{side}"][2]  # a person who sits
 
     vicon = io.read(data / "keraal" / "G3-Vicon-CTK-P1T1-Unknown-C-0.txt")
-    assert len(vicon) == 390 and vicon.rate == 60.0
-    pairs = {"HandLeft": "LeftHand", "HandRight": "RightHand", "FootLeft": "LeftFoot", "FootRight": "RightFoot",
-             "Head": "Head", "SpineBase": "Hips", "ShoulderLeft": "LeftShoulder", "ShoulderRight": "RightShoulder"}  # fmt: skip
+    assert len(vicon) == 390
+    assert vicon.rate == 60.0
+    pairs = {
+        f"{part}{side}": f"{side}{part}"
+        for part in ("Hand", "Foot", "Shoulder")
+        for side in ("Left", "Right")
+    }
+    pairs |= {"Head": "Head", "SpineBase": "Hips"}
     a = kinect.positions[:, [kinect.names.index(name) for name in pairs]].reshape(-1, 3)
     frames = np.linspace(0, len(vicon) - 1, len(kinect)).round().astype(int)
     b = vicon.positions[frames][:, [vicon.names.index(name) for name in pairs.values()]].reshape(-1, 3)

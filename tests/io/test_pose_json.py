@@ -96,12 +96,17 @@ def test_every_layout_says_the_same(tmp_path, poses, layout, joints):
     path = put(tmp_path, LAYOUTS[layout](points, sure))
     reading = io.open_recording(path)
     read = reading.recordings[0]
-    assert read.names == joints.joints and read.unit == "px" and read.kind == "joint" and read.rate == 30.0
-    assert np.isnan(read.positions[4, 3]).all() and np.isnan(read.positions).sum() == 2
+    assert read.names == joints.joints
+    assert read.unit == "px"
+    assert read.kind == "joint"
+    assert read.rate == 30.0
+    assert np.isnan(read.positions[4, 3]).all()
+    assert np.isnan(read.positions).sum() == 2
     seen = np.isfinite(read.positions)
     np.testing.assert_allclose(read.positions[seen], (points * [1, -1])[seen])  # Y up
     np.testing.assert_allclose(read.confidence, sure)
-    assert reading.findings["joints"].value == joints.name and reading.findings["up"].how == "read"
+    assert reading.findings["joints"].value == joints.name
+    assert reading.findings["up"].how == "read"
     assert io.open_recording(path, rate=25).findings["rate"].how == "given"
     (tmp_path / "stdin").write_bytes(path.read_bytes())
     np.testing.assert_array_equal(io.read(tmp_path / "stdin").positions, read.positions)
@@ -114,10 +119,14 @@ def test_joint_sets_are_told_by_their_number_alone():
     counts = {COCO_17: 17, COCO_18: 18, BODY_25: 25, HALPE_26: 26, BLAZEPOSE: 33, WHOLE_BODY: 133, BODY_135: 135,
               HALPE_136: 136}  # fmt: skip
     assert {joints: len(joints.joints) for joints in IN_IMAGES} == counts
-    assert BODY_25.joints.index("mid_hip") == 8 and BODY_25.joints[10:12] == ("right_knee", "right_ankle")
-    assert BODY_25.joints[19] == "left_big_toe" and COCO_18.joints[11] == "left_hip"
-    assert BLAZEPOSE.joints.index("right_foot_index") == 32 and BLAZEPOSE.joints[11] == "left_shoulder"
-    assert WHOLE_BODY.joints[20] == "right_big_toe" and HALPE_26.joints[21] == "right_big_toe"
+    assert BODY_25.joints.index("mid_hip") == 8
+    assert BODY_25.joints[10:12] == ("right_knee", "right_ankle")
+    assert BODY_25.joints[19] == "left_big_toe"
+    assert COCO_18.joints[11] == "left_hip"
+    assert BLAZEPOSE.joints.index("right_foot_index") == 32
+    assert BLAZEPOSE.joints[11] == "left_shoulder"
+    assert WHOLE_BODY.joints[20] == "right_big_toe"
+    assert HALPE_26.joints[21] == "right_big_toe"
 
 
 @pytest.mark.parametrize("joints", IN_IMAGES, ids=lambda joints: joints.name)
@@ -137,7 +146,9 @@ def test_a_folder_with_a_file_a_frame_is_one_recording(tmp_path, poses):
     (tmp_path / "readme.json").write_text("{}")
     whole = io.open_recording(tmp_path)
     read = whole.recordings[0]
-    assert read.name == "clip" and len(read) == T and read.names == BODY_25.joints
+    assert read.name == "clip"
+    assert len(read) == T
+    assert read.names == BODY_25.joints
     assert np.isnan(read.positions[11:13]).all()
     np.testing.assert_allclose(read.positions[13:], points[13:] * [1, -1])
     assert any("2 frames between the first and the last file are missing" in word for word in whole.warnings)
@@ -165,7 +176,8 @@ def test_people_are_told_apart_by_the_nearest_place(tmp_path, poses, rng):
     reading = io.open_recording(put(tmp_path, frames))
     assert reading.people == ("1", "2")
     first, second = reading.recordings  # in the order in which they appear: b is there from the start
-    assert np.isnan(first.positions[10:14]).all() and np.isnan(second.positions[:3]).all()
+    assert np.isnan(first.positions[10:14]).all()
+    assert np.isnan(second.positions[:3]).all()
     np.testing.assert_allclose(first.positions[14:], b[0][14:] * [1, -1])
     np.testing.assert_allclose(second.positions[3:], a[0][3:] * [1, -1])
     assert any("by the nearest place" in word for word in reading.warnings)
@@ -210,11 +222,14 @@ def test_points_in_metres_are_in_space_and_image_points_never_have_depth(tmp_pat
     frames = [{"pose_world_landmarks": [landmarks(frame, 0.8)]} for frame in world]
     reading = io.open_recording(put(tmp_path, frames))
     read = reading.recordings[0]
-    assert read.unit == "m" and read.positions.shape == (T, 33, 3) and (read.confidence == 0.8).all()
+    assert read.unit == "m"
+    assert read.positions.shape == (T, 33, 3)
+    assert (read.confidence == 0.8).all()
     np.testing.assert_allclose(read.positions, world * [1, -1, -1])
     pictures = [{"landmarks": landmarks(frame / 3 + 0.5)} for frame in world]
     reading = io.open_recording(put(tmp_path, pictures))
-    assert reading.recordings[0].unit == "relative" and reading.recordings[0].positions.shape == (T, 33, 2)
+    assert reading.recordings[0].unit == "relative"
+    assert reading.recordings[0].positions.shape == (T, 33, 2)
     assert any("depth" in word for word in reading.warnings)
     both = [{"landmarks": landmarks(frame / 3 + 0.5), "worldLandmarks": landmarks(frame)} for frame in world]
     reading = io.open_recording(put(tmp_path, both))
@@ -224,7 +239,8 @@ def test_points_in_metres_are_in_space_and_image_points_never_have_depth(tmp_pat
 
 def test_names_in_the_file_count(tmp_path, world):
     named = [
-        [point | {"name": name} for name, point in zip(BLAZEPOSE.joints[::-1], landmarks(frame))] for frame in world
+        [point | {"name": name} for name, point in zip(BLAZEPOSE.joints[::-1], landmarks(frame))]
+        for frame in world
     ]
     assert io.read(put(tmp_path, named)).names == BLAZEPOSE.joints[::-1]
 
@@ -250,7 +266,9 @@ def test_numbers_of_pictures_that_are_no_frames(tmp_path, poses):
         ('[{"people": [{"pose_keypoints_2d": []}]}]', "found nobody in any frame"),
         ('{"people": [{"pose_keypoints_2d": [1, 2, 0.5, 7]}]}', "found a list of something else"),
         ('{"people": [{"pose_keypoints_2d": ["a", "b", "c"]}]}', "expected numbers for the points of a pose"),
-        ('[[[1, 2], [3, 4]], [[1, 2], [3, 4], [5, 6]]]', "poses of 2 × 2 and 3 × 2 points"),
+        ('[[[1, 2], [3, 4]], [[1, 2], ["a", 4]]]', "found something else in frame 1"),
+        ("[[[1, 2], [3, 1" + "0" * 400 + "]]]", "found something else in frame 0"),
+        ("[[[1, 2], [3, 4]], [[1, 2], [3, 4], [5, 6]]]", "poses of 2 × 2 and 3 × 2 points"),
         ('{"people": [', "line 1: expected JSON, found the end"),
         ('{"people":\n [1,, 2]}', "line 2: expected JSON, found ', 2]}'"),
         ("[" * 100_000, "nests too deeply"),
@@ -264,7 +282,8 @@ def test_other_json_is_one_sentence(tmp_path, text, match):
     (tmp_path / "a.json").write_text(text)
     with pytest.raises(FormatError, match=match) as caught:
         io.read(tmp_path / "a.json")
-    assert "\n" not in str(caught.value) and len(str(caught.value)) < 400
+    assert "\n" not in str(caught.value)
+    assert len(str(caught.value)) < 400
 
 
 @pytest.mark.data
@@ -277,7 +296,8 @@ def test_keraal_is_upright_and_left_is_left(data, name, frames, points, unseen):
     told = lm.info(path)
     assert (told.frames, len(told.names), told.dimensions) == (frames, points, 2)
     assert told.unseen == pytest.approx(unseen, abs=1e-3)
-    assert told.findings["unit"].value == "relative" and told.findings["up"].value == "-y"
+    assert told.findings["unit"].value == "relative"
+    assert told.findings["up"].value == "-y"
     read = io.read(path)
     roles = lm.find_roles(read)
     at = {
@@ -285,7 +305,12 @@ def test_keraal_is_upright_and_left_is_left(data, name, frames, points, unseen):
         for role, members in zip(roles.roles, roles.members)
     }
     assert at["head"][1] > at["neck"][1] > at["pelvis"][1] > at["left_knee"][1] > at["left_ankle"][1]
-    for limb in ("shoulder", "elbow", "hip", "knee"):  # who faces the camera has the left on the picture's right
+    for limb in (
+        "shoulder",
+        "elbow",
+        "hip",
+        "knee",
+    ):  # who faces the camera has the left on the picture's right
         assert at[f"left_{limb}"][0] > at[f"right_{limb}"][0]
 
 
@@ -293,10 +318,14 @@ def test_keraal_is_upright_and_left_is_left(data, name, frames, points, unseen):
 def test_squats_in_pixels_and_in_metres(data):
     pixels = io.read(data / "tfjs_pose" / "pose_squats.full.json", rate=5)
     metres = io.read(data / "tfjs_pose" / "pose_squats_3d.full.json", rate=5)
-    assert pixels.names == metres.names == BLAZEPOSE.joints and len(pixels) == len(metres) == 65
-    assert pixels.unit == "px" and pixels.positions.shape[2] == 2 and metres.unit == "m"
+    assert pixels.names == metres.names == BLAZEPOSE.joints
+    assert len(pixels) == len(metres) == 65
+    assert pixels.unit == "px"
+    assert pixels.positions.shape[2] == 2
+    assert metres.unit == "m"
     told = lm.info(metres)
-    assert 1.4 < told.findings["size"].value < 1.5 and abs(np.degrees(told.findings["facing"].value)) < 45
+    assert 1.4 < told.findings["size"].value < 1.5
+    assert abs(np.degrees(told.findings["facing"].value)) < 45
     # the knees bend together in both
     hip, knee = BLAZEPOSE.joints.index("left_hip"), BLAZEPOSE.joints.index("left_knee")
     drops = [read.positions[:, hip, 1] - read.positions[:, knee, 1] for read in (pixels, metres)]

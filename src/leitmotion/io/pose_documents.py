@@ -79,6 +79,7 @@ class _Layout:
         self.source = source
         self.names: tuple[str, ...] = ()
         self.aside = ""
+        self.where = ""
 
     def document(self, value: Any) -> list[list[Pose]]:
         if isinstance(value, dict):
@@ -90,22 +91,22 @@ class _Layout:
             if any(key in value for key in (*_PEOPLE, *_WORLD, *_POINTS)):
                 return [self.frame(value)]
             if value and all(re.search(r"\d", key) for key in value):
-                return self.in_order({key: self.frame(held) for key, held in value.items()})
+                return self.in_order({key: self.frame_at(key, held) for key, held in value.items()})
         elif isinstance(value, list):
             if value and all(isinstance(item, dict) and "image_id" in item for item in value):
                 return self.results(value)
             if _is_points(value):
                 return [[self.points(value)]]
             if value and all(isinstance(item, list | dict) or item is None for item in value):
-                return [self.frame(item) for item in value]
+                return [self.frame_at(f"{k}", item) for k, item in enumerate(value)]
         raise self.fault(value)
 
     def results(self, results: Sequence[Mapping[str, Any]]) -> list[list[Pose]]:
         """Poses that each name their picture."""
         pictures: dict[str, list[Pose]] = {}
         for result in results:
-            poses = self.frame(result)
-            pictures.setdefault(str(result["image_id"]), []).extend(poses)
+            picture = str(result["image_id"])
+            pictures.setdefault(picture, []).extend(self.frame_at(picture, result))
         return self.in_order(pictures)
 
     def in_order(self, pictures: Mapping[str, list[Pose]]) -> list[list[Pose]]:
@@ -147,6 +148,10 @@ class _Layout:
                 for key, row in _by_number(frames)
             }
         )
+
+    def frame_at(self, place: str, value: Any) -> list[Pose]:
+        self.where = f" in frame {place[:40]}"
+        return self.frame(value)
 
     def frame(self, value: Any) -> list[Pose]:
         if value is None or value == [] or value == {}:
@@ -232,9 +237,9 @@ class _Layout:
     def array(self, value: Any) -> np.ndarray:
         try:
             return np.array(value, dtype=np.float64)
-        except (TypeError, ValueError):
+        except (TypeError, ValueError, OverflowError):
             raise self.source.error(
-                "expected numbers for the points of a pose, found something else."
+                f"expected numbers for the points of a pose, found something else{self.where}."
             ) from None
 
     def rate(self, value: Any) -> float | None:
@@ -243,9 +248,8 @@ class _Layout:
             if isinstance(value, dict)
             else None
         )
-        if isinstance(found, bool) or not isinstance(found, int | float):
-            return None
-        return float(found) if np.isfinite(found) and found > 0 else None
+        plain = isinstance(found, int | float) and not isinstance(found, bool) and 0 < found < 1e6
+        return float(found) if plain else None  # type: ignore[arg-type]
 
     def fault(self, value: Any) -> Exception:
         if isinstance(value, dict):
@@ -253,7 +257,7 @@ class _Layout:
         else:
             found = "a list of something else" if isinstance(value, list) else "something else"
         return self.source.error(
-            f"expected poses such as OpenPose, AlphaPose, MediaPipe or COCO have them, found {found}.",
+            f"expected poses such as OpenPose, AlphaPose, MediaPipe or COCO have them, found {found}{self.where}.",
             remedy="Is this a file of poses?",
         )
 
@@ -294,6 +298,8 @@ def _who(value: Mapping[str, Any]) -> str:
     for key in _WHO:
         who = value.get(key)
         who = who[0] if isinstance(who, list) and len(who) == 1 else who
+        if isinstance(who, float) and who.is_integer():
+            who = int(who)
         if isinstance(who, int | float | str) and not isinstance(who, bool) and str(who) not in ("-1", ""):
             return str(who)
     return ""

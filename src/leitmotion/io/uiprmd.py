@@ -109,8 +109,9 @@ def read(source: Source) -> Draft:
         unit=Finding("cm", "guessed", "the unit of UI-PRMD's Kinect"),
         up=Finding("y", "guessed", "the axes of UI-PRMD's Kinect"),
         findings={
-            "joints": Finding("UI-PRMD", "guessed", "because a row has 66 numbers, and by the file's name"),
-            "partner": Finding(str(partner.path), "read", "its name is the same but for the last word"),
+            "joints": Finding(
+                "UI-PRMD", "guessed", f"because a row has 66 numbers; the {OTHER[kind]} are in {partner.path}"
+            ),
         },
     )
 
