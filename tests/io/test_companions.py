@@ -1,9 +1,12 @@
 """Files that belong together, by their names."""
 
+import json
+import zipfile
 from pathlib import Path
 
 import pytest
 
+from leitmotion import io
 from leitmotion.io.companions import first_frame_in, frame_of, partners, represented
 from leitmotion.motion import FormatError
 
@@ -34,3 +37,23 @@ def test_a_folder_of_several_clips_names_them(tmp_path):
     (tmp_path / "a_1_keypoints.json").touch()
     with pytest.raises(FormatError, match="the poses of 2 clips: 'a', 'b'"):
         first_frame_in(tmp_path)
+
+
+def test_a_zip_of_frames_is_one_recording(tmp_path):
+    pose = [float(k % 3 + k) for k in range(75)]
+    with zipfile.ZipFile(tmp_path / "clip.zip", "w") as box:
+        for t in range(20):
+            people = [{"pose_keypoints_2d": [t + value for value in pose]}]
+            box.writestr(f"json/clip_{t:012d}_keypoints.json", json.dumps({"people": people}))
+    read = io.read(tmp_path / "clip.zip")
+    assert len(read) == 20
+    assert read.positions[5, 0].tolist() == [5.0, -7.0]
+    assert io.read(tmp_path / "clip.zip" / "json" / "clip_000000000003_keypoints.json") == read
+
+
+def test_a_zip_of_two_halves_is_one_recording(tmp_path):
+    row = ",".join(["1.5"] * 66) + "\n"
+    with zipfile.ZipFile(tmp_path / "m01.zip", "w") as box:
+        for kind in ("Positions", "Angles"):
+            box.writestr(f"{kind}/m01_{kind.lower()}.txt", row * 30)
+    assert len(io.read(tmp_path / "m01.zip", unit="cm")) == 30

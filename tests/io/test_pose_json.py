@@ -274,7 +274,6 @@ def test_numbers_of_pictures_that_are_no_frames(tmp_path, poses):
         ("[" * 100_000, "nests too deeply"),
         ('{"positions": ' + '{"a": ' * 100_000, "nests too deeply"),
         ('{"people": ' + "9" * 10_000 + "}", "expected poses"),
-        ('{"Frames": [[0.0333, 0, 1]]}', "found the names Frames"),
         ('{"segments": [{"start": 1, "stop": 2, "label": "a"}]}', "found the names segments"),
     ],
 )

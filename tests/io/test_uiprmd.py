@@ -208,6 +208,6 @@ def test_what_is_missing_is_one_sentence(tmp_path, pair):
     (tmp_path / "stdin").write_text(table(positions))
     with pytest.raises(FormatError, match="may be the positions or the angles of UI-PRMD"):
         io.read(tmp_path / "stdin")
-    (tmp_path / "v_angles.txt").write_text(table(np.zeros((4, 39, 3))))
+    (tmp_path / "v_angles.txt").write_text(table(np.full((4, 39, 3), 45.0)))
     with pytest.raises(FormatError, match="joint angles of a model that is not in the file"):
         io.read(tmp_path / "v_angles.txt")

@@ -20,6 +20,7 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path, PurePosixPath
 
+from leitmotion.io.companions import represented
 from leitmotion.io.files import LARGEST, read_bytes
 from leitmotion.io.formats import DOUBTFUL, EXTENSIONS, readable
 from leitmotion.motion import DataError, FormatError
@@ -139,7 +140,8 @@ def recordings_in(file: Path) -> list[Path]:
     Returns
     -------
     list of Path
-        The members whose ending is one that is read, or the only member there is.
+        The members whose ending is one that is read, or the only member there is; of those that are one recording
+        together, the one that stands for it.
 
     Raises
     ------
@@ -150,7 +152,9 @@ def recordings_in(file: Path) -> list[Path]:
     found = [name for name in names if bare(Path(name)).suffix.lower() in readable()]
     if not found and len(names) == 1:
         found = list(names)
-    return [file / name for name in sorted(found, key=lambda name: _order(PurePosixPath(name)))]
+    paths = [file / name for name in sorted(found, key=lambda name: _order(PurePosixPath(name)))]
+    others = represented(paths)
+    return [path for path in paths if path not in others]
 
 
 def is_doubtful(path: Path) -> bool:

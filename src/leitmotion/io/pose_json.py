@@ -17,7 +17,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from leitmotion.io.companions import clips_in, frame_of
-from leitmotion.io.files import read_bytes
+from leitmotion.io.containers import listing, read_file
 from leitmotion.io.joint_sets import IN_IMAGES, IN_SPACE, JointSet, set_of
 from leitmotion.io.json_text import parse
 from leitmotion.io.pose_documents import FRAME_RATES, Document, frames_of
@@ -109,9 +109,9 @@ def _clip(source: Source, warnings: list[str]) -> Document | None:
     """The poses of all frames of the file's clip; None of a file that is no frame of a clip."""
     place = frame_of(source.path.name)
     folder = source.path.parent
-    if place is None or not folder.is_dir():
+    if place is None:
         return None
-    names = clips_in(path.name for path in folder.iterdir()).get(place[0], {place[1]: source.path.name})
+    names = clips_in(path.name for path in listing(folder)).get(place[0], {place[1]: source.path.name})
     first, count = min(names), max(names) - min(names) + 1
     if count > _SPARSEST * len(names):
         raise source.error(
@@ -121,7 +121,7 @@ def _clip(source: Source, warnings: list[str]) -> Document | None:
     frames: list[list[Pose]] = [[] for _ in range(count)]
     told = Document(frames)
     for number, name in names.items():
-        content = source.content if name == source.path.name else read_bytes(folder / name)
+        content = source.content if name == source.path.name else read_file(folder / name)[1]
         one = Source(folder / name, content, source.options)
         held = frames_of(parse(one), one)
         if len(held.frames) > 1:

@@ -20,7 +20,7 @@ import re
 import numpy as np
 
 from leitmotion.io.companions import OTHER, kind_of, partners
-from leitmotion.io.files import read_bytes
+from leitmotion.io.containers import exists, read_file
 from leitmotion.io.numerals import read_rows
 from leitmotion.io.points import unseen_in_origin
 from leitmotion.io.reading import Draft, Finding, PointTake, SkeletonTake, Source
@@ -146,11 +146,11 @@ def _rows(source: Source) -> np.ndarray:
 def _partner(source: Source, kind: str) -> Source:
     """Find the other file of the two, beside it or in the folder of its kind beside its own."""
     beside = partners(source.path)
-    found = next((one for one in beside if one.is_file()), None)
+    found = next((one for one in beside if exists(one)), None)
     if found is None:
         where = " nor in ".join(str(one.parent) for one in beside)
         raise source.error(
             f"its {kind} need the {OTHER[kind]} of the same recording, {beside[0].name}, which is not in {where}.",
             remedy=f"Put {beside[0].name} beside it.",
         )
-    return Source(found, read_bytes(found), source.options)
+    return Source(*read_file(found), source.options)
