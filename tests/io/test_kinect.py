@@ -71,7 +71,7 @@ def test_joints_in_the_origin_are_unseen_and_counted(tmp_path, person):
 
 def test_other_lengths_and_words_are_no_table_of_a_kinect(tmp_path):
     (tmp_path / "stdin").write_text(rows(np.zeros((4, 11, 3))))
-    with pytest.raises(FormatError, match="does not begin like one"):
+    with pytest.raises(FormatError, match="expected a first line that names the columns, found 33 numbers"):
         io.read(tmp_path / "stdin")
     (tmp_path / "a.txt").write_text(rows(np.ones((4, 25, 3))) + "1 2 3\n" + rows(np.ones((4, 25, 3))))
     with pytest.raises(FormatError, match="line 5: expected 75 numbers"):
@@ -112,3 +112,14 @@ def test_keraal_kinect_faces_the_camera_and_is_no_mirror_image_of_the_vicon(data
 
     assert apart(a) < 0.15
     assert apart(a * [-1, 1, 1]) > 2 * apart(a)
+
+
+@pytest.mark.parametrize("joints", [KINECT_1, KINECT_2, AZURE])
+def test_a_table_with_names_has_all_roles(tmp_path, person, joints):
+    header = ",".join(f"{name}_{axis}" for name in joints.joints for axis in "XYZ")
+    values = np.repeat(np.array([person[name] for name in joints.joints])[None], 40, axis=0)
+    (tmp_path / "a.csv").write_text(f"{header}\n{rows(values, ',')}")
+    told = lm.info(tmp_path / "a.csv", rate=30)
+    limbs = ("shoulder", "elbow", "wrist", "hip", "knee", "ankle", "toe")
+    sided = {f"{side}_{limb}" for side in ("left", "right") for limb in limbs}
+    assert sided | {"pelvis", "neck", "head"} <= set(told.roles.roles)

@@ -107,7 +107,9 @@ def test_every_layout_says_the_same(tmp_path, poses, layout, joints):
     np.testing.assert_allclose(read.confidence, sure)
     assert reading.findings["joints"].value == joints.name
     assert reading.findings["up"].how == "read"
-    assert io.open_recording(path, rate=25).findings["rate"].how == "given"
+    given = io.open_recording(path, rate=25)
+    assert given.findings["rate"].how == "given"
+    assert not any("--rate" in warning for warning in given.warnings)
     (tmp_path / "stdin").write_bytes(path.read_bytes())
     np.testing.assert_array_equal(io.read(tmp_path / "stdin").positions, read.positions)
 

@@ -16,8 +16,8 @@ References
 from __future__ import annotations
 
 import io
+import warnings as warnings_
 import zipfile
-import zlib
 from collections.abc import Sequence
 
 import numpy as np
@@ -75,7 +75,7 @@ def read(source: Source) -> Draft:
     for what, values in (("poses", poses), (key, trans)):
         if not np.isfinite(values).all():
             raise source.error(f"expected finite numbers in {what}, found NaN or infinity.")
-    if rate.how == "guessed":
+    if rate.how == "guessed" and source.options.rate is None:
         warnings.append(f"No rate is stated; {rate.value:g} Hz was guessed, --rate states another.")
     parents, offsets = mean_adult(joints)
     turns = rotations.from_rotation_vector(poses)
@@ -153,8 +153,8 @@ class _Archive:
             with zipfile.ZipFile(io.BytesIO(source.content)) as box:
                 self.sizes = {one.filename.removesuffix(".npy"): one for one in box.infolist()}
             self.box = np.load(io.BytesIO(source.content), allow_pickle=source.options.trust)
-        except (ValueError, OSError, EOFError, zipfile.BadZipFile) as error:
-            raise FormatError(f"{source.path.name} is no archive or is damaged: {error}") from None
+        except Exception as error:  # of what is damaged NumPy raises anything
+            raise FormatError(f"{source.path.name} is no archive or is damaged: {error!r}.") from None
         self.names = list(self.box.files)
 
     def __enter__(self) -> _Archive:
@@ -175,23 +175,17 @@ class _Archive:
                 f"its member {key} promises {member.file_size / 1e9:.1f} GB, more than it can hold."
             )
         try:
-            return np.asarray(self.box[key]).astype(np.float64)
-        except ValueError as error:
-            if "pickle" in str(error):
+            with warnings_.catch_warnings():
+                warnings_.simplefilter("ignore")  # of a header that looks as Python 2 wrote it
+                held = np.asarray(self.box[key])
+        except Exception as error:  # of what is damaged NumPy raises anything
+            if isinstance(error, ValueError) and "pickle" in str(error):
                 raise self.source.error(
                     f"its member {key} holds pickled Python objects, which can run code when they are read.",
                     remedy="If you trust where it comes from, read it with --trust (trust=True in Python).",
                 ) from None
+            raise self.source.error(f"its member {key} is damaged: {error!r}.") from None
+        try:
+            return held.astype(np.float64)
+        except (TypeError, ValueError):
             raise self.source.error(f"expected numbers in {key}, found something else.") from None
-        except TypeError:
-            raise self.source.error(f"expected numbers in {key}, found something else.") from None
-        except (
-            OSError,
-            KeyError,
-            EOFError,
-            MemoryError,
-            RuntimeError,
-            zipfile.BadZipFile,
-            zlib.error,
-        ) as error:
-            raise self.source.error(f"its member {key} is damaged: {error}") from None

@@ -10,6 +10,7 @@ Z up.
 from __future__ import annotations
 
 import io
+import warnings as warnings_
 from collections.abc import Mapping
 from typing import Any
 
@@ -45,24 +46,7 @@ def read(source: Source) -> Draft:
     FormatError
         When the file is damaged, of another shape, or a pickle that the caller does not trust.
     """
-    try:
-        content = io.BytesIO(source.content)
-        version = np.lib.format.read_magic(content)
-        read_header = (
-            np.lib.format.read_array_header_1_0 if version == (1, 0) else np.lib.format.read_array_header_2_0
-        )
-        shape, _, dtype = read_header(content)
-    except (
-        ValueError,
-        OSError,
-        EOFError,
-        KeyError,
-        TypeError,
-        SyntaxError,
-        MemoryError,
-        RecursionError,
-    ) as error:
-        raise source.error(f"is no NumPy array or is damaged: {error}") from None
+    shape, dtype = _header(source)
     if dtype.hasobject:
         return _pickled(source)
     if dtype.kind not in "fiu":
@@ -71,9 +55,24 @@ def read(source: Source) -> Draft:
         raise source.error(f"its header promises {_size(shape)} numbers, more than it holds.")
     try:
         values = np.load(io.BytesIO(source.content), allow_pickle=False).astype(np.float64)
-    except (ValueError, OSError, EOFError, MemoryError) as error:
-        raise source.error(f"is damaged: {error}") from None
+    except Exception as error:  # of what is damaged NumPy raises anything
+        raise source.error(f"is damaged: {error!r}.") from None
     return _points(source, values)
+
+
+def _header(source: Source) -> tuple[tuple[int, ...], np.dtype[Any]]:
+    """Shape and type that the file promises."""
+    content = io.BytesIO(source.content)
+    try:
+        with warnings_.catch_warnings():
+            warnings_.simplefilter("ignore")  # of headers that Python 2 wrote
+            version = np.lib.format.read_magic(content)
+            form = np.lib.format
+            read_header = form.read_array_header_1_0 if version == (1, 0) else form.read_array_header_2_0
+            shape, _, dtype = read_header(content)
+    except Exception as error:  # of what is damaged NumPy raises anything
+        raise source.error(f"is no NumPy array or is damaged: {error!r}.") from None
+    return shape, dtype
 
 
 def _points(source: Source, values: np.ndarray) -> Draft:
@@ -98,10 +97,9 @@ def _points(source: Source, values: np.ndarray) -> Draft:
     if flat:
         unseen_in_origin(values, warnings)
     kind = "no known joint set has so many" if joints.name.startswith("numbered") else f"because J = {count}"
-    warnings.append(
-        f"The array names nothing: its joints were taken as {joints.name} ({kind}) at {joints.rate:g} Hz; "
-        "--rate and --map overrule this."
-    )
+    warnings.append(f"The array names nothing: its joints were taken as {joints.name} ({kind}).")
+    if source.options.rate is None:
+        warnings.append(f"No rate is stated; {joints.rate:g} Hz was guessed, --rate states another.")
     up = None
     if flat:
         up = Finding("-y", "guessed", "points in a picture: y points down")

@@ -20,7 +20,6 @@ from leitmotion.io.reading import Draft, Finding, PointTake, Source, glimpse
 from leitmotion.motion import FormatError
 
 _NUMBERS = 12
-_TRACKED = (0.0, 0.5, 1.0)
 
 
 def read(source: Source) -> Draft:
@@ -76,7 +75,7 @@ def read(source: Source) -> Draft:
 def looks(head: bytes) -> bool:
     """Whether a text that begins like this is such a file: two whole numbers alone, then a line of ten."""
     lines = [line.split() for line in head.split(b"\n")[:400]]
-    start = next((k for k, line in enumerate(lines[1:], 1) if len(line) != 1), 0)
+    start = next((k for k, line in enumerate(lines) if len(line) != 1), 0)
     alone = all(line[0].isdigit() for line in lines[:start])
     return (
         start >= 2
@@ -94,7 +93,7 @@ def _take(who: str, frames: list[dict[str, np.ndarray]]) -> PointTake:
     for t, frame in enumerate(frames):
         if who in frame:
             positions[t] = frame[who][:, :3]
-            confidence[t] = np.take(_TRACKED, frame[who][:, -1].astype(int), mode="clip")
+            confidence[t] = np.clip(np.nan_to_num(frame[who][:, -1]) / 2, 0.0, 1.0)
     return PointTake(list(KINECT_2.joints), positions, "joint", confidence, who)
 
 

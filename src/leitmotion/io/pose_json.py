@@ -84,7 +84,7 @@ def read(source: Source) -> Draft:
     unit = _unit(takes, dimensions, warnings)
     _tell_confidence(takes, warnings)
     rate, reason = (known.rate, known.usual) if known is not None else (30.0, "the usual rate of a camera")
-    if document.rate is None:
+    if document.rate is None and source.options.rate is None:
         warnings.append(f"No rate is stated; {rate:g} Hz was guessed, --rate states another.")
     return Draft(
         takes,
