@@ -15,6 +15,7 @@ from leitmotion.io.joint_sets import (
     COCO_18,
     HALPE_26,
     HALPE_136,
+    HUMAN36M,
     IN_IMAGES,
     IN_SPACE,
     WHOLE_BODY,
@@ -239,6 +240,26 @@ def test_points_in_metres_are_in_space_and_image_points_never_have_depth(tmp_pat
     assert any("points in the picture, too" in word for word in reading.warnings)
 
 
+def test_joints_in_space_of_another_set_stay_in_space(tmp_path, rng):
+    joints = HUMAN36M.joints
+    body = rng.uniform(-0.8, 0.8, (17, 3))
+    body[joints.index("head")], body[joints.index("right_ankle")] = [0, 0.8, 0], [0, -0.8, 0]
+    body[[joints.index("left_ankle"), joints.index("left_knee"), joints.index("right_knee")], 1] = -0.7
+    frames = (body + rng.normal(0, 0.003, (T, 17, 3))).round(5)
+    read = io.read(put(tmp_path, frames.tolist()), up="y", unit="m")
+    assert read.names == joints
+    np.testing.assert_allclose(read.positions, frames)
+
+
+@pytest.mark.parametrize("scale", [1.0, 400.0])
+def test_a_third_number_is_a_confidence_where_it_is_one_everywhere(tmp_path, rng, scale):
+    points, sure = rng.uniform(0.1, 0.9, (T, 17, 2)).round(4), rng.uniform(0.1, 1, (T, 17, 1)).round(4)
+    read = io.read(put(tmp_path, np.concatenate((points * scale, sure), axis=2).tolist()))
+    assert read.names == COCO_17.joints
+    np.testing.assert_allclose(read.positions, points * scale * [1, -1])
+    np.testing.assert_allclose(read.confidence, sure[..., 0])
+
+
 def test_names_in_the_file_count(tmp_path, world):
     named = [
         [point | {"name": name} for name, point in zip(BLAZEPOSE.joints[::-1], landmarks(frame))]
@@ -274,8 +295,10 @@ def test_numbers_of_pictures_that_are_no_frames(tmp_path, poses):
         ('{"people": [', "line 1: expected JSON, found the end"),
         ('{"people":\n [1,, 2]}', "line 2: expected JSON, found ', 2]}'"),
         ("[" * 100_000, "nests too deeply"),
+        ('{"frames": ' * 900 + "[]" + "}" * 900, "expected poses"),
+        ('{"' + "9" * 5000 + '.jpg": {"people": []}}', "found nobody"),
         ('{"positions": ' + '{"a": ' * 100_000, "nests too deeply"),
-        ('{"people": ' + "9" * 10_000 + "}", "expected poses"),
+        ('{"people": ' + "9" * 10_000 + "}", "thousands of digits"),
         ('{"segments": [{"start": 1, "stop": 2, "label": "a"}]}', "found the names segments"),
     ],
 )

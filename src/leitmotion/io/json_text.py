@@ -45,6 +45,9 @@ def parse(source: Source) -> Any:
         raise source.fault(
             position, "JSON", found, remedy="Was it copied or downloaded completely?"
         ) from None
-    except (RecursionError, ValueError) as error:  # ValueError: a number of thousands of digits
-        what = "its JSON nests too deeply" if isinstance(error, RecursionError) else str(error)
-        raise source.error(f"expected poses, found that {what}.") from None
+    except RecursionError:
+        raise source.error(
+            "expected JSON that nests less than a thousand deep, found it nests too deeply."
+        ) from None
+    except ValueError:
+        raise source.error("expected numbers, found one of thousands of digits.") from None

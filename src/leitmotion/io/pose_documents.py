@@ -29,6 +29,7 @@ _SCORES = ("keypoint_scores", "keypoints_scores", "scores")
 _SURE = ("visibility", "score", "confidence")
 _HANDS_AND_FACE = ("face_keypoints_2d", "hand_left_keypoints_2d", "hand_right_keypoints_2d")
 _WHO = ("track_id", "person_id", "idx")
+_DIGITS = 15  # of a number of a picture
 _SPAN = 10  # frames a picture beyond which numbers of pictures are no numbers of frames
 
 
@@ -68,7 +69,10 @@ def frames_of(document: Any, source: Source) -> Document:
         When it holds no poses.
     """
     told = _Layout(source)
-    frames = told.document(document)
+    try:
+        frames = told.document(document)
+    except RecursionError:
+        raise source.error("expected poses, found JSON that nests too deeply.") from None
     return Document(frames, told.names, told.rate(document), told.aside)
 
 
@@ -114,7 +118,7 @@ class _Layout:
         numbers = {key: re.findall(r"\d+", key) for key in pictures}
         if not all(numbers.values()):
             return list(pictures.values())
-        places = {key: int(found[-1]) for key, found in numbers.items()}
+        places = {key: int(found[-1][-_DIGITS:]) for key, found in numbers.items()}
         span = max(places.values()) - min(places.values()) + 1
         ordered = sorted(pictures, key=lambda key: places[key])
         if span > _SPAN * len(pictures) or len(set(places.values())) < len(places):
@@ -208,8 +212,6 @@ class _Layout:
             raise self.fault(value)
         if numbers.shape[1] == 4:
             return Pose(numbers[:, :3], numbers[:, 3])
-        if numbers.shape[1] == 3 and _third_is_confidence(numbers):
-            return Pose(numbers[:, :2], numbers[:, 2])
         return Pose(numbers)
 
     def width(self, size: int, value: Any) -> int:
@@ -284,13 +286,6 @@ def _is_pointless(value: Any) -> bool:
 
 def _is_flat(value: list[Any]) -> bool:
     return all(isinstance(item, int | float) for item in value)
-
-
-def _third_is_confidence(numbers: np.ndarray) -> bool:
-    """Whether the third of three numbers is a confidence: within 0 to 1 beside coordinates that are pixels."""
-    third = numbers[:, 2]
-    pixels = np.nanmax(np.abs(numbers[:, :2]), initial=0.0) > 20.0
-    return bool(pixels and np.nanmin(third, initial=0.0) >= 0.0 and np.nanmax(third, initial=0.0) <= 1.0)
 
 
 def _who(value: Mapping[str, Any]) -> str:

@@ -18,7 +18,7 @@ import numpy as np
 
 from leitmotion.io.companions import clips_in, frame_of
 from leitmotion.io.containers import listing, read_file
-from leitmotion.io.joint_sets import IN_IMAGES, IN_SPACE, JointSet, set_of
+from leitmotion.io.joint_sets import BLAZEPOSE, IN_IMAGES, IN_SPACE, JointSet, set_of
 from leitmotion.io.json_text import parse
 from leitmotion.io.pose_documents import FRAME_RATES, Document, frames_of
 from leitmotion.io.pose_tracks import Pose, people
@@ -59,11 +59,12 @@ def read(source: Source) -> Draft:
     if document.aside:
         warnings.append(document.aside)
     frames = [[_seen(pose) for pose in frame] for frame in document.frames]
-    found = [pose for frame in frames for pose in frame]
-    if not found:
+    if not any(frames):
         raise source.error(
             "expected poses such as OpenPose, AlphaPose or MediaPipe write, found nobody in any frame."
         )
+    frames = _confidence_apart(frames)
+    found = [pose for frame in frames for pose in frame]
     shapes = {pose.points.shape for pose in found}
     if len(shapes) > 1:
         raise source.error(
@@ -81,7 +82,8 @@ def read(source: Source) -> Draft:
         warnings.append(f"No joint set that is known here has {count} points: they are numbered.")
     for take in takes:
         take.names = list(stated) or take.names
-    unit = _unit(takes, dimensions, warnings)
+    in_space = dimensions == 3 and known in IN_SPACE and known is not BLAZEPOSE
+    unit = None if in_space else _unit(takes, dimensions, warnings)
     _tell_confidence(takes, warnings)
     rate, reason = (known.rate, known.usual) if known is not None else (30.0, "the usual rate of a camera")
     if document.rate is None and source.options.rate is None:
@@ -92,7 +94,7 @@ def read(source: Source) -> Draft:
         if document.rate is not None
         else Finding(rate, "guessed", reason),
         unit=unit,
-        up=_IMAGE_UP,
+        up=None if in_space else _IMAGE_UP,
         findings=findings,
         warnings=warnings,
         name=document.name,
@@ -142,6 +144,25 @@ def _seen(pose: Pose) -> Pose:
     return Pose(points, None if pose.sure is None else np.where(nowhere, 0.0, pose.sure), pose.who)
 
 
+def _confidence_apart(frames: list[list[Pose]]) -> list[list[Pose]]:
+    """Part three numbers a point into a place and a confidence, where the third is one everywhere.
+
+    It lies within 0 and 1 beside pixels, or beside shares of a picture, none of which is below zero.
+    """
+    poses = [pose for frame in frames for pose in frame]
+    if any(pose.points.shape[1] != 3 or pose.sure is not None for pose in poses):
+        return frames
+    points = np.concatenate([pose.points for pose in poses])
+    points = points[np.isfinite(points).all(axis=1)]
+    within = bool(len(points)) and points[:, 2].min() >= 0.0 and 0.0 < points[:, 2].max() <= 1.0
+    if not within or (np.abs(points[:, :2]).max() <= _PIXELS and points.min() < 0.0):
+        return frames
+    return [
+        [_seen(Pose(pose.points[:, :2], np.nan_to_num(pose.points[:, 2]), pose.who)) for pose in frame]
+        for frame in frames
+    ]
+
+
 def _joint_set(count: int, dimensions: int, poses: Sequence[Pose]) -> JointSet | None:
     if dimensions == 3 and count != 17:
         return set_of(count, IN_SPACE) or set_of(count, IN_IMAGES)
@@ -172,7 +193,7 @@ def _unit(takes: list[PointTake], dimensions: int, warnings: list[str]) -> Findi
 
 
 def _about_hips(takes: list[PointTake]) -> bool:
-    names = takes[0].names
+    names = [name.lower() for name in takes[0].names]
     if "left_hip" not in names or "right_hip" not in names:
         return False
     hips = [names.index("left_hip"), names.index("right_hip")]
