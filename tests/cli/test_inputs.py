@@ -193,6 +193,8 @@ def test_files_that_are_one_recording_together_are_one_input(tmp_path: Path) -> 
         assert [(given.shown, given.source) for given in inputs] == [
             (f"{tmp_path / 'clip'}[1:2]", f"{tmp_path / 'clip' / 'c_1_keypoints.json'}[1:2]")
         ]
+        assert inputs[0].name == "c"
+        assert inputs[0].sha256() == hashlib.sha256(b"{}" * 3).hexdigest()
     for kind in ("Positions", "Angles"):
         (tmp_path / kind).mkdir()
         (tmp_path / kind / f"m01_{kind.lower()}.txt").write_text("1", encoding="utf-8")

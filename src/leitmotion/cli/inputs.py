@@ -53,16 +53,22 @@ class Input:
     @property
     def name(self) -> str:
         """What a file made from it is called, without ending."""
+        from leitmotion.io.companions import clip_name
         from leitmotion.io.containers import bare
 
-        return "stdin" if self.shown == "-" else bare(self.path).stem
+        return "stdin" if self.shown == "-" else clip_name(self.path) or bare(self.path).stem
 
     def sha256(self) -> str:
-        """Return the checksum of the file on the disk, packed as it is, in hexadecimal."""
+        """Return the checksum of the file on the disk, packed as it is, in hexadecimal; of all frames of a clip."""
+        from leitmotion.io.companions import clip_files
         from leitmotion.io.containers import on_disk
 
-        with on_disk(self.path).open("rb") as file:
-            return hashlib.file_digest(file, "sha256").hexdigest()
+        checksum = hashlib.sha256()
+        for path in clip_files(on_disk(self.path)):
+            with path.open("rb") as file:
+                while piece := file.read(1 << 20):
+                    checksum.update(piece)
+        return checksum.hexdigest()
 
 
 @contextlib.contextmanager

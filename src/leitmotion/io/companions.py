@@ -46,6 +46,21 @@ def clips_in(names: Iterable[str]) -> dict[str, dict[int, str]]:
     return clips
 
 
+def clip_name(path: Path) -> str:
+    """Name the clip of which a file holds one frame, after its folder where the file does not; else empty."""
+    place = frame_of(path.name)
+    return "" if place is None else place[0] or path.resolve().parent.name
+
+
+def clip_files(path: Path) -> list[Path]:
+    """List the files with the frames of the clip that a file is one of, in order; the file alone where it is none."""
+    place = frame_of(path.name)
+    if place is None or not path.parent.is_dir():
+        return [path]
+    names = clips_in(os.listdir(path.parent)).get(place[0], {place[1]: path.name})
+    return [path.parent / name for name in names.values()]
+
+
 def first_frame_in(path: Path) -> Path:
     """Name the file that stands for a folder of poses: the first frame of the only clip in it.
 

@@ -16,7 +16,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from leitmotion.io.companions import clips_in, frame_of
+from leitmotion.io.companions import clip_name, clips_in, frame_of
 from leitmotion.io.containers import listing, read_file
 from leitmotion.io.joint_sets import BLAZEPOSE, IN_IMAGES, IN_SPACE, JointSet, set_of
 from leitmotion.io.json_text import parse
@@ -132,7 +132,7 @@ def _clip(source: Source, warnings: list[str]) -> Document | None:
         told = told._replace(names=told.names or held.names, aside=told.aside or held.aside)
     if count > len(names):
         warnings.append(f"{count - len(names)} frames between the first and the last file are missing.")
-    return told._replace(name=place[0].rstrip("_") or folder.resolve().name)
+    return told._replace(name=clip_name(source.path))
 
 
 def _seen(pose: Pose) -> Pose:
