@@ -13,6 +13,7 @@ from hypothesis import strategies as st
 from leitmotion import io
 from leitmotion.datasets import Action, compose
 from leitmotion.io.c3d import read as parse
+from leitmotion.io.c3d_parameters import read_header
 from leitmotion.io.c3d_writing import write
 from leitmotion.io.reading import Source
 from leitmotion.motion import Motion, ParameterError, Trajectories, joint_points
@@ -56,6 +57,17 @@ def test_more_frames_than_the_first_block_counts(tmp_path, rng, frames):
     assert reading.warnings == ()
     for theirs in (by_ezc3d(path), by_c3d(path)):
         np.testing.assert_allclose(theirs[0] / 1000, recording.positions, rtol=2e-7, atol=1e-12)
+
+
+def test_a_long_count_stands_in_every_place_where_programs_look(tmp_path):
+    content = write(Trajectories(("A",), np.ones((70_000, 1, 3)), 120))
+    header = read_header(Source(tmp_path, content))
+    assert (header.first, header.last, header.number("POINT", "LONG_FRAMES")) == (1, 65535, 70_000)
+    assert header.count("POINT", "FRAMES") == 65535
+    assert header.parameters["TRIAL", "ACTUAL_START_FIELD"].tolist() == [1, 0]
+    assert header.parameters["TRIAL", "ACTUAL_END_FIELD"].tolist() == [70_000 - 65_536, 1]
+    assert header.count("POINT", "DATA_START") == header.data_block == header.parameters_end
+    assert len(content) == (header.data_block - 1) * 512 + 70_000 * 16
 
 
 def by_ezc3d(path):
