@@ -327,8 +327,11 @@ def test_units_as_they_are_spelled(tmp_path, walk, units, unit, how, told):
 
 @pytest.mark.parametrize(("stated", "told"), [("mm", True), ("m", False), ("cm", True)])
 def test_a_unit_that_the_body_contradicts_is_kept_and_told(tmp_path, rng, stated, told):
-    places = rng.normal([[0, 0, 1.7], [0.1, 0, 0.08], [-0.1, 0, 0.08], [0.1, -0.15, 0.01]], 0.005, (30, 4, 3))
-    reading = io.open_recording(put(tmp_path, c3d_bytes(places, LABELS, parameters={"UNITS": [stated]})))
+    places = rng.normal(
+        [[0, 0, 1.7], [0.1, 0, 0.08], [-0.1, 0, 0.08], [0.1, -0.15, 0.01]] * 2, 0.005, (30, 8, 3)
+    )
+    labels = [*LABELS, "C7", "T10", "CLAV", "STRN"]
+    reading = io.open_recording(put(tmp_path, c3d_bytes(places, labels, parameters={"UNITS": [stated]})))
     assert (reading.findings["unit"].value, reading.findings["unit"].how) == (stated, "read")
     assert any("state the unit with --unit m." in warning for warning in reading.warnings) == told
 

@@ -19,6 +19,7 @@ _STANDING = 1.7  # metres, the largest distance between two points of a standing
 _ANKLE_TO_HEAD = 1.5  # metres, along the joints, of an adult
 _USUAL = 1.35  # by which factor a body may differ from the usual one without a word
 _TOY = 20.0  # by which factor the body of a stated unit may differ from the usual one without a word
+_FEWEST = 8  # points by which a body's size contradicts a stated unit
 _SMALLEST = 0.25  # share of the usual size that the smallest of people, half a metre tall, still has
 _MIDDLE = 0.63  # share of the usual size about which people of all ages lie within a decade
 _LOOKS = 32  # frames looked at
@@ -267,7 +268,7 @@ def doubt_unit(stated: Finding, take: SkeletonTake | PointTake, positions: np.nd
     str
         A warning, empty where the unit may stand.
     """
-    if stated.how != "read" or stated.value not in METRES:
+    if stated.how != "read" or stated.value not in METRES or len(take.names) < _FEWEST:
         return ""
     about = float(np.linalg.norm(_median(_reach(positions)))) * METRES[stated.value] / _STANDING
     if 2.0 / _TOY < about < _TOY / 2.0:
