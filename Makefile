@@ -6,6 +6,7 @@ BIN := $(VENV)/bin
 PIP_INSTALL := $(BIN)/python -m pip install --quiet --disable-pip-version-check --constraint constraints.txt
 PAGE ?= demo/leitmotion-demo.html
 PYTEST ?=
+MINUTES ?= 60
 
 # The real recordings that some tests and all measurements of quality read; without them those tests are skipped.
 ifndef LEITMOTION_DATA
@@ -14,7 +15,7 @@ export LEITMOTION_DATA := $(abspath ../shared/data)
 endif
 endif
 
-.PHONY: help demo test check bench docs-pictures clean
+.PHONY: help demo test fuzz check bench docs-pictures clean
 .DEFAULT_GOAL := help
 
 help:  ## List what can be made
@@ -26,6 +27,9 @@ demo: $(VENV)/.demo  ## Find what recurs in a composed session and write the pag
 
 test: $(VENV)/.test  ## Run the whole suite; PYTEST="-k walk" chooses
 	$(BIN)/python -m pytest $(PYTEST)
+
+fuzz: $(VENV)/.test  ## Spoil files of every format for MINUTES=60 and keep in fuzz-found/ what breaks a reader
+	PYTHONPATH=tests $(BIN)/python tests/fuzz.py --minutes $(MINUTES)
 
 check: $(VENV)/.dev  ## Lint, formatting and types
 	$(BIN)/ruff check

@@ -7,15 +7,17 @@ format that is written needs no function of its own: its seed is what its writer
 import bz2
 import gzip
 import io as streams
+import json
 import lzma
 import zipfile
 from collections.abc import Callable, Iterator
-from functools import cache
+from functools import cache, partial
 from pathlib import Path
 
 import numpy as np
 
-from leitmotion.io.formats import FORMATS
+from leitmotion.io import bvh
+from leitmotion.io.formats import FORMATS, Format
 from leitmotion.motion import Motion, Skeleton, Trajectories, rotations
 from oracles.c3d import DEC, INTEL, c3d_bytes
 
@@ -102,14 +104,138 @@ def plane() -> Files:
     return {"clip.csv": ("time;A_x;A_y;B_x;B_y\n" + "".join(rows)).encode()}
 
 
-def _written(name: str, kind: Motion | Trajectories) -> Files:
-    form = next(form for form in FORMATS if form.name == name)
-    return {f"clip{form.extensions[0]}": form.write(kind)}
+def opensim() -> Files:
+    """Four coordinates of a body."""
+    head = "Coordinates\nversion=1\nnRows=6\nnColumns=5\ninDegrees=yes\nendheader\n"
+    rows = [f"{k / 50:.4f}\t{k}\t{2 * k}\t0.9\t-{k}.5\n" for k in range(6)]
+    names = "time\tpelvis_tilt\thip_flexion_r\tpelvis_ty\tknee_angle_r\n"
+    return {"clip.mot": (head + names + "".join(rows)).encode()}
+
+
+def qualisys() -> Files:
+    """Two markers, one of them unseen in a frame."""
+    header = (
+        "NO_OF_FRAMES\t3\nNO_OF_CAMERAS\t8\nNO_OF_MARKERS\t2\nFREQUENCY\t50\nDESCRIPTION\t--\n"
+        "TIME_STAMP\t2018-04-29, 17:31:02\t20552.5\nDATA_INCLUDED\t3D\nMARKER_NAMES\tHead\tAnkle-L\n"
+    )
+    return {
+        "clip.tsv": (header + "1\t2\t1700\t4\t5\t80\n1.5\t2.5\t1700\t\t\t\n2\t3\t1700\t5\t6\t80\n").encode()
+    }
+
+
+def motive() -> Files:
+    """A rigid body and a marker."""
+    text = (
+        "Format Version,1.23,Take Name,Take 5,Capture Frame Rate,50.000000,Export Frame Rate,50.000000,Rotation Type,"
+        "Quaternion,Length Units,Centimeters,Coordinate Space,Global\n\n"
+        ",Type,Rigid Body,Rigid Body,Rigid Body,Rigid Body,Rigid Body,Rigid Body,Rigid Body,Marker,Marker,Marker\n"
+        ",Name,Hat,Hat,Hat,Hat,Hat,Hat,Hat,M 1,M 1,M 1\n,ID,1,1,1,1,1,1,1,2,2,2\n"
+        ",,Rotation,Rotation,Rotation,Rotation,Position,Position,Position,Position,Position,Position\n"
+        "Frame,Time (Seconds),X,Y,Z,W,X,Y,Z,X,Y,Z\n"
+        "0,0.000000,0,0,0,1,1,2,3,4,5,6\n1,0.020000,0,0,0,1,1.5,2.5,3.5,,,\n2,0.040000,0,0,0,1,2,3,4,5,6,7\n"
+    )
+    return {"clip.csv": text.encode()}
+
+
+def nexus() -> Files:
+    """Two people of a marker each."""
+    text = (
+        "Trajectories\n50\n,,Ann:A,,,Bob:B,,\nFrame,Sub Frame,X,Y,Z,X,Y,Z\n,,mm,mm,mm,mm,mm,mm\n"
+        "7,0,1,2,3,4,5,6\n8,0,1.5,2.5,3.5,,,\n9,0,2,3,4,5,6,7\n"
+    )
+    return {"clip.csv": text.encode()}
+
+
+def deeplabcut() -> Files:
+    """Two points of a picture."""
+    text = (
+        "scorer,net,net,net,net,net,net\nbodyparts,nose,nose,nose,tail,tail,tail\n"
+        "coords,x,y,likelihood,x,y,likelihood\n0,100,200,0.9,300,400,0.8\n1,101,201,0.9,301,401,0.2\n"
+    )
+    return {"clip.csv": text.encode()}
+
+
+def _table_of(columns: int, rows: int, delimiter: str) -> bytes:
+    values = np.round(np.random.default_rng(3).normal(0, 1, (rows, columns)), 3)
+    return "".join(delimiter.join(map(str, row)) + "\n" for row in values.tolist()).encode()
+
+
+def kinect() -> Files:
+    """Twenty-five joints without names."""
+    return {"clip.txt": _table_of(75, 5, " ")}
+
+
+def uiprmd() -> Files:
+    """The two files of a recording of the Kinect."""
+    return {"m01_positions.txt": _table_of(66, 5, ","), "m01_angles.txt": _table_of(66, 5, ",")}
+
+
+def ntu() -> Files:
+    """Two frames of a body."""
+    joint = "0.1 0.2 3.0 250 200 900 500 0.1 0.2 0.3 0.9 2\n"
+    frame = "1\n72057594037931101 0 1 1 1 1 0 0.02 -0.1 2\n25\n" + joint * 25
+    return {"clip.skeleton": ("2\n" + frame * 2).encode()}
+
+
+def _pose(count: int, k: int) -> list[float]:
+    return [round(100 + 10 * j + k * 0.5, 2) if c < 2 else 0.9 for j in range(count) for c in range(3)]
+
+
+def openpose() -> Files:
+    """A clip of three frames, a file each, two people."""
+    files = {}
+    for k in range(3):
+        people = [
+            {"person_id": [-1], "pose_keypoints_2d": _pose(25, k)},
+            {"pose_keypoints_2d": _pose(25, k + 300)},
+        ]
+        files[f"clip_{k:012}_keypoints.json"] = json.dumps({"version": 1.3, "people": people}).encode()
+    return files
+
+
+def alphapose() -> Files:
+    """Three frames in one file."""
+    poses = [
+        {"image_id": f"{k}.jpg", "category_id": 1, "keypoints": _pose(17, k), "score": 2.5, "idx": 1}
+        for k in range(3)
+    ]
+    return {"clip.json": json.dumps(poses).encode()}
+
+
+def mediapipe() -> Files:
+    """Three frames of thirty-three landmarks."""
+    frames = [
+        {"frame": k, "landmarks": [{"x": 0.5, "y": j / 40, "z": 0.1, "visibility": 0.9} for j in range(33)]}
+        for k in range(3)
+    ]
+    return {"clip.json": json.dumps({"fps": 30, "frames": frames}).encode()}
+
+
+def amass() -> Files:
+    """Four frames of the rotations of SMPL-H."""
+    file = streams.BytesIO()
+    rng = np.random.default_rng(4)
+    np.savez(
+        file, trans=rng.normal(0, 1, (4, 3)), gender=np.array("male"), mocap_framerate=np.array(120.0),
+        betas=np.zeros(16), poses=rng.normal(0, 0.3, (4, 156)),
+    )  # fmt: skip
+    return {"clip.npz": file.getvalue()}
+
+
+def array() -> Files:
+    """Four frames of twenty-two joints."""
+    file = streams.BytesIO()
+    np.save(file, np.random.default_rng(5).normal(0, 1, (4, 22, 3)))
+    return {"clip.npy": file.getvalue()}
+
+
+def _written(form: Format, recording: Callable[[], Motion | Trajectories]) -> Files:
+    return {f"clip{form.extensions[0]}": form.write(recording())}
 
 
 def _packed() -> Iterator[tuple[str, Callable[[], Files]]]:
     """The containers, each with a BVH, the zip also with an AMC and its skeleton."""
-    clip = _written("BVH", motion())["clip.bvh"]
+    clip = bvh.write(motion())
     for ending, pack in ((".gz", gzip.compress), (".bz2", bz2.compress), (".xz", lzma.compress)):
         yield f"BVH{ending}", lambda ending=ending, pack=pack: {f"clip.bvh{ending}": pack(clip)}
     yield "BVH.zip", lambda: {"pack.zip": zipped({"inner/clip.bvh": clip})}
@@ -131,6 +257,19 @@ SEEDS: dict[str, Callable[[], Files]] = {
     "C3D": c3d,
     "C3D of whole numbers": c3d_whole,
     "TRC": trc,
+    "OpenSim MOT": opensim,
+    "Qualisys TSV": qualisys,
+    "UI-PRMD": uiprmd,
+    "Kinect table": kinect,
+    "Motive CSV": motive,
+    "Nexus CSV": nexus,
+    "DeepLabCut CSV": deeplabcut,
+    "AMASS": amass,
+    "NumPy array": array,
+    "NTU RGB+D": ntu,
+    "poses of OpenPose": openpose,
+    "poses of AlphaPose": alphapose,
+    "poses of MediaPipe": mediapipe,
     "table": table,
     "table in a plane": plane,
     **dict(_packed()),
@@ -138,15 +277,10 @@ SEEDS: dict[str, Callable[[], Files]] = {
 """By the name of the format; further ones of a format may have any name that begins with its name."""
 
 for _form in FORMATS:
-    if _form.writer:
-        for _kind, _recording in (("a skeleton", motion), ("points", markers)):
-            try:
-                _form.write(_recording())
-            except Exception:
-                continue
-            SEEDS[f"{_form.name} of {_kind}"] = lambda name=_form.name, kind=_recording: _written(
-                name, kind()
-            )
+    for _kind, _recording in (("a skeleton", motion), ("points", markers)):
+        if _form.writer and _form.module:
+            SEEDS[f"{_form.name} of {_kind}"] = partial(_written, _form, _recording)
+del SEEDS["BVH of points"]  # which it does not hold
 
 SPOILED = {"ASF": "s.asf"}
 """Which file of a seed is spoiled, where it is not the first."""

@@ -22,6 +22,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from leitmotion.io.points import FARTHEST
 from leitmotion.io.reading import Draft, Finding, SkeletonTake, Source
 from leitmotion.io.smpl import BODIES, STATURE, mean_adult
 from leitmotion.motion import FormatError, rotations
@@ -73,8 +74,10 @@ def read(source: Source) -> Draft:
     if trans.shape != (frames, 3):
         raise source.error(f"expected {key} of {frames} × 3 numbers, found {_size(trans)}.")
     for what, values in (("poses", poses), (key, trans)):
-        if not np.isfinite(values).all():
-            raise source.error(f"expected finite numbers in {what}, found NaN or infinity.")
+        if not (np.abs(values) < FARTHEST).all():
+            raise source.error(
+                f"expected finite numbers in {what}, found NaN, infinity or beyond {FARTHEST:.0e}."
+            )
     if rate.how == "guessed" and source.options.rate is None:
         warnings.append(f"No rate is stated; {rate.value:g} Hz was guessed, --rate states another.")
     parents, offsets = mean_adult(joints)

@@ -102,10 +102,11 @@ def find_columns(header: Sequence[str], *, exact: bool = False) -> Columns:
 
 def _exactly(header: Sequence[str]) -> tuple[dict[str, list[int]], dict[str, int]]:
     place = {word: k for k, word in enumerate(header)}
+    letters = "xyz" if any(f"{word[:-2]}_z" in place for word in header if word.endswith("_x")) else "xy"
     points = {
-        word[:-2]: [place[f"{word[:-2]}_{letter}"] for letter in "xyz" if f"{word[:-2]}_{letter}" in place]
+        word[:-2]: [place[f"{word[:-2]}_{letter}"] for letter in letters]
         for word in header
-        if word.endswith("_x") and f"{word[:-2]}_y" in place
+        if word.endswith("_x") and all(f"{word[:-2]}_{letter}" in place for letter in letters)
     }
     sure = {name: place[f"{name}_confidence"] for name in points if f"{name}_confidence" in place}
     return points, sure

@@ -16,12 +16,11 @@ from leitmotion.io.judge import (
     look,
     makes_an_adult,
 )
+from leitmotion.io.points import FARTHEST
 from leitmotion.io.reading import Draft, Finding, Options, PointTake, SkeletonTake, Source
 from leitmotion.io.units import METRES, unit_in_metres
 from leitmotion.motion import Motion, ParameterError, Skeleton, Trajectories
 
-FARTHEST = 1e12
-"""No unit that is known puts anything on a person as far from the origin."""
 FASTEST = 1e6
 """Hertz of the highest rate that is believed."""
 

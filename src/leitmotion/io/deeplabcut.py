@@ -6,11 +6,11 @@ triangulates has ``z`` and a unit of its own. The rate is that of the video, whi
 
 from __future__ import annotations
 
-import csv
 import re
 
 from leitmotion.io.columns import read_rows_of
 from leitmotion.io.reading import Draft, Source
+from leitmotion.io.text import cells_of
 
 _LETTERS = {"x": "x", "y": "y", "z": "z", "likelihood": "confidence"}
 
@@ -42,7 +42,7 @@ def read(source: Source) -> Draft:
     start = 3 if source.content.startswith(b"\xef\xbb\xbf") else 0
     for _ in range(4):
         stop = source.content.find(b"\n", start)
-        cells = next(csv.reader([source.content[start:stop].decode("utf-8", "replace").rstrip("\r")]), [""])
+        cells = cells_of(source.content[start:stop].decode("utf-8", "replace").rstrip("\r")) or [""]
         rows[cells[0]] = cells
         start = stop + 1
         if cells[0] == "coords" or stop < 0:

@@ -7,11 +7,11 @@ empty cell is unseen. Places of bones are read where there are any, else those o
 
 from __future__ import annotations
 
-import csv
 import re
 
 from leitmotion.io.columns import read_rows_of
 from leitmotion.io.reading import Draft, Source
+from leitmotion.io.text import cells_of
 
 _EXPECTED = ("bone marker", "rigid body marker", "marker constraint")
 """Types of where Motive expects a marker, which stand beside the markers themselves."""
@@ -87,7 +87,7 @@ def _header(source: Source) -> tuple[list[list[str]], int]:
         if stop < 0:
             break
         line = source.content[position:stop].decode("utf-8", "replace").rstrip("\r")
-        cells = [cell.strip() for cell in next(csv.reader([line]), [])]
+        cells = [cell.strip() for cell in cells_of(line)]
         position = stop + 1
         if any(cells):
             rows.append(cells)

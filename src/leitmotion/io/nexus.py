@@ -7,12 +7,12 @@ over.
 
 from __future__ import annotations
 
-import csv
 import re
 from dataclasses import replace
 
 from leitmotion.io.columns import read_rows_of
 from leitmotion.io.reading import Draft, Source
+from leitmotion.io.text import cells_of
 
 _SECTION = re.compile(
     rb'^"?(Trajectories|Devices|Model Outputs|Joints|Segments|Events)"?[,;\t ]*\r?\n', re.MULTILINE
@@ -55,9 +55,7 @@ def read(source: Source) -> Draft:
         source = replace(source, content=source.content[: start + end.start()])
     lines, start = _lines(source, start)
     delimiter = max(",\t;", key=lines[2].count)
-    rate, markers, axes, units = (
-        [cell.strip() for cell in next(csv.reader([line], delimiter=delimiter))] for line in lines
-    )
+    rate, markers, axes, units = ([cell.strip() for cell in cells_of(line, delimiter)] for line in lines)
     if axes[:1] != ["Frame"]:
         raise source.error(f"expected a row that begins with Frame, found {', '.join(axes[:4])}.")
     markers += [""] * len(axes)

@@ -17,7 +17,7 @@ from typing import Any
 import numpy as np
 
 from leitmotion.io.joint_sets import BLAZEPOSE, IN_IMAGES, IN_SPACE, JointSet, set_of
-from leitmotion.io.points import unseen_in_origin
+from leitmotion.io.points import FARTHEST, unseen_in_origin
 from leitmotion.io.reading import Draft, Finding, PointTake, SkeletonTake, Source
 
 _PIXELS = 20.0  # coordinates in a picture beyond this are pixels, as in tables
@@ -137,7 +137,7 @@ def _pickled(source: Source) -> Draft:
         held = np.load(io.BytesIO(source.content), allow_pickle=True)
         motion = held.item() if held.shape == () else None
     except Exception as error:  # a pickle may raise anything
-        raise source.error(f"its pickle cannot be read: {error}") from None
+        raise source.error(f"its pickle cannot be read: {error}.") from None
     if not isinstance(motion, Mapping) or not {"rotation", "root_translation", "skeleton_tree"} <= set(
         motion
     ):
@@ -167,7 +167,7 @@ def _poselib(source: Source, motion: Mapping[str, Any]) -> Draft:
             f"expected rotations of {frames} frames and {joints} joints, found {_size(turns.shape)} numbers."
         )
     lengths = np.linalg.norm(turns, axis=-1)
-    if not (np.isfinite(root).all() and np.isfinite(turns).all() and lengths.min(initial=1.0) > 0.5):
+    if not ((np.abs(root) < FARTHEST).all() and np.isfinite(turns).all() and lengths.min(initial=1.0) > 0.5):
         raise source.error("expected unit quaternions and finite places, found others.")
     if not motion.get("is_local", True):
         raise source.error(

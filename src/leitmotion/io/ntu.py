@@ -75,15 +75,8 @@ def read(source: Source) -> Draft:
 def looks(head: bytes) -> bool:
     """Whether a text that begins like this is such a file: two whole numbers alone, then a line of ten."""
     lines = [line.split() for line in head.split(b"\n")[:400]]
-    start = next((k for k, line in enumerate(lines) if len(line) != 1), 0)
-    alone = all(line[0].isdigit() for line in lines[:start])
-    return (
-        start >= 2
-        and alone
-        and len(lines[start]) == 10
-        and len(lines) > start + 1
-        and lines[start + 1] == [b"25"]
-    )
+    start = next((k for k, line in enumerate(lines) if len(line) != 1 or not line[0].isdigit()), 0)
+    return start >= 2 and len(lines[start]) == 10 and len(lines) > start + 1 and lines[start + 1] == [b"25"]
 
 
 def _take(who: str, frames: list[dict[str, np.ndarray]]) -> PointTake:

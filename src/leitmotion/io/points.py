@@ -6,6 +6,9 @@ import numpy as np
 
 from leitmotion.io.reading import PointTake
 
+FARTHEST = 1e12
+"""No unit that is known puts anything on a person as far from the origin."""
+
 OTHERS = "others"
 """What the points without a subject are called where others have one."""
 

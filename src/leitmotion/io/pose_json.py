@@ -20,6 +20,7 @@ from leitmotion.io.companions import clip_name, clips_in, frame_of
 from leitmotion.io.containers import listing, read_file
 from leitmotion.io.joint_sets import BLAZEPOSE, IN_IMAGES, IN_SPACE, JointSet, set_of
 from leitmotion.io.json_text import parse
+from leitmotion.io.points import FARTHEST
 from leitmotion.io.pose_documents import FRAME_RATES, Document, frames_of
 from leitmotion.io.pose_tracks import Pose, people
 from leitmotion.io.reading import Draft, Finding, PointTake, Source
@@ -136,8 +137,8 @@ def _clip(source: Source, warnings: list[str]) -> Document | None:
 
 
 def _seen(pose: Pose) -> Pose:
-    """The pose with NaN where the source saw nothing: a confidence of 0, or a point exactly in the corner."""
-    nowhere = ~np.isfinite(pose.points).all(axis=1) | ~pose.points.any(axis=1)
+    """The pose with NaN where nothing was seen: a confidence of 0, a point exactly in the corner or out of reach."""
+    nowhere = ~(np.abs(pose.points) < FARTHEST).all(axis=1) | ~pose.points.any(axis=1)
     if pose.sure is not None:
         nowhere |= ~(pose.sure > 0.0)
     points = np.where(nowhere[:, None], np.nan, pose.points)

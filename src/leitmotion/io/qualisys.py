@@ -65,7 +65,7 @@ def read(source: Source) -> Draft:
         ("NO_OF_MARKERS", len(names), "markers"),
     ):
         stated = "".join(facts.get(key, [])[:1])
-        if stated.isdigit() and int(stated) != count:
+        if stated.isdecimal() and int(stated) != count:
             warnings.append(
                 f"The header promises {stated} {what}, the file has {count}; those it has were read."
             )

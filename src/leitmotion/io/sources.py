@@ -224,7 +224,7 @@ def _choose(
     place = None
     if str(person) in people:
         place = people.index(str(person))
-    elif str(person).isdigit() and 1 <= int(person) <= len(people):
+    elif str(person).isdecimal() and 1 <= int(person) <= len(people):
         place = int(person) - 1
     if place is None:
         named = ", ".join(name or f"{k + 1}" for k, name in enumerate(people))

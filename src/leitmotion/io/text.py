@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import csv
 from pathlib import Path
 
 from leitmotion.motion import FormatError
@@ -80,3 +81,17 @@ def _as_utf8(content: bytes) -> bytes:
         except UnicodeDecodeError:  # five bytes stand for nothing there
             return content.decode("latin-1").encode("utf-8")
     return content
+
+
+def cells_of(line: str, delimiter: str = ",") -> list[str]:
+    """Part one line of a table into its cells, which may be quoted.
+
+    Examples
+    --------
+    >>> cells_of('1,"left, upper",3')
+    ['1', 'left, upper', '3']
+    """
+    try:
+        return next(csv.reader([line], delimiter=delimiter), [])
+    except csv.Error:  # of a carriage return in a cell, or of a cell without end
+        return line.split(delimiter)

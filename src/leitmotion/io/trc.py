@@ -112,5 +112,5 @@ def _timing(source: Source, facts: dict[str, str], times: np.ndarray, warnings: 
 
 
 def _check_count(stated: str | None, found: int, what: str, warnings: list[str]) -> None:
-    if stated is not None and stated.isdigit() and int(stated) != found:
+    if stated is not None and stated.isdecimal() and int(stated) != found:
         warnings.append(f"The header promises {stated} {what}, the file has {found}; those it has were read.")

@@ -1,0 +1,142 @@
+"""Whatever is in a file: a recording or one sentence. ``tests/fuzz.py`` goes on for as long as one likes."""
+
+import itertools
+from collections.abc import Iterator
+from random import Random
+
+import numpy as np
+import pytest
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+
+from fuzzing.law import bounded, check, put
+from fuzzing.seeds import SEEDS, SPOILED, Files, cuts
+from fuzzing.spoil import DAMAGES, spoil
+from leitmotion import io
+from leitmotion.io import formats
+from leitmotion.io.formats import FORMATS
+
+EXAMPLES = 60  # of each format; they take half a minute together
+REAL = 12  # of each real recording
+QUICK = settings(
+    max_examples=EXAMPLES,
+    derandomize=True,
+    deadline=None,
+    database=None,
+    suppress_health_check=list(HealthCheck),
+)
+
+
+def spoiled(name: str, files: Files, rng: Random) -> Files:
+    target = SPOILED.get(name, next(iter(files)))
+    return files | {target: spoil(files[target], rng)}
+
+
+def test_every_format_that_is_read_has_a_seed():
+    """Add a function to ``fuzzing/seeds.py`` that makes a small valid file, and its line in ``SEEDS``."""
+    without = [
+        form.name
+        for form in FORMATS
+        if form.module and not any(seed == form.name or seed.startswith(f"{form.name} ") for seed in SEEDS)
+    ]
+    assert without == []
+
+
+@pytest.mark.parametrize("name", SEEDS)
+def test_a_seed_is_a_recording_of_its_format(tmp_path, monkeypatch, name):
+    told = []
+
+    def recognise(head: bytes, extension: str = "") -> formats.Format | None:
+        told.append(formats.recognise(head, extension))
+        return told[-1]
+
+    monkeypatch.setattr("leitmotion.io.sources.recognise", recognise)
+    reading = io.open_recording(put(tmp_path, SEEDS[name]()))
+    assert len(reading.recordings[0]) > 1
+    expected = {"ASF": "AMC"}.get(name, name)
+    assert expected.startswith(told[-1].name)
+
+
+@pytest.mark.parametrize("name", SEEDS)
+@QUICK
+@given(rng=st.randoms(use_true_random=False))
+def test_a_spoiled_file_gives_a_recording_or_a_sentence(name, rng):
+    check(spoiled(name, SEEDS[name](), rng))
+
+
+@pytest.mark.data
+def test_a_spoiled_real_recording_gives_a_recording_or_a_sentence(data):
+    rng = Random(2008)
+    for name, files in cuts(data).items():
+        for _ in range(REAL):
+            check(spoiled(name, files, rng))
+
+
+def every_cut(content: bytes) -> Iterator[bytes]:
+    """The beginnings of a file, up to each of its first bytes and then up to ever fewer."""
+    for stop in itertools.accumulate(itertools.repeat(1), lambda a, _: a + max(1, a // 40)):
+        if stop >= len(content):
+            return
+        yield content[:stop]
+
+
+@pytest.mark.parametrize("name", SEEDS)
+def test_a_file_cut_anywhere_gives_a_recording_or_a_sentence(name):
+    files = SEEDS[name]()
+    target = SPOILED.get(name, next(iter(files)))
+    for content in every_cut(files[target]):
+        check(files | {target: content})
+
+
+RUBBISH = {
+    "nothing": b"",
+    "blanks": b" \r\n\t\n",
+    "zeros": bytes(5000),
+    "ones": b"\xff" * 5000,
+    "every byte": bytes(range(256)) * 20,
+    "noise": np.random.default_rng(6).bytes(5000),
+    "brackets": b"[" * 100_000,
+    "braces": b'{"a":' * 100_000,
+    "words": b"word " * 2000,
+    "numbers": b"1 2 3\n" * 2000,
+    "a long line": b"7," * 100_000,
+    "a page": b"<!DOCTYPE html><html><body>404</body></html>",
+    "lines": b"\n" * 100_000,
+    "nan": b"nan,nan,nan\n" * 100,
+}
+
+
+@pytest.mark.parametrize("rubbish", RUBBISH)
+def test_rubbish_of_every_ending_gives_a_sentence(rubbish):
+    for extension in [*io.EXTENSIONS, "", ".zip", ".gz"]:
+        check({f"clip{extension}": RUBBISH[rubbish]})
+
+
+def test_every_damage_changes_something():
+    content = SEEDS["table"]()["clip.csv"]
+    for damage in DAMAGES:
+        assert any(damage(content, Random(seed)) != content for seed in range(20)), damage
+
+
+def test_the_law_catches_what_it_should(monkeypatch):
+    """The checker itself: a warning, an infinity, a hang, a flood and a foreign error each break it."""
+    files = SEEDS["table"]()
+
+    def fails_by(make: object) -> bool:
+        monkeypatch.setattr(io, "open_recording", make)
+        try:
+            check(files)
+        except BaseException:
+            return True
+        return False
+
+    def hang(_: object) -> None:
+        with bounded(seconds=0.2):
+            while True:
+                pass
+
+    assert not fails_by(io.open_recording)
+    assert fails_by(lambda _: np.float64(1e300) * np.float64(1e300))
+    assert fails_by(lambda _: [][0])
+    assert fails_by(hang)
+    assert fails_by(lambda _: np.ones(1 << 29))
