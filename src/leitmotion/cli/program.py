@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import difflib
 import importlib
+import io
 import os
 import sys
 from collections.abc import Sequence
@@ -79,9 +80,14 @@ class Program(click.Group):
     def _run_and_exit(
         self, args: Any, prog_name: str | None, complete_var: str | None, **extra: Any
     ) -> NoReturn:
+        if isinstance(
+            sys.stdout, io.TextIOWrapper
+        ):  # a file's name may be no text in the terminal's encoding
+            sys.stdout.reconfigure(errors="backslashreplace")
         try:
             status = super().main(args, prog_name, complete_var, standalone_mode=False, **extra)
-            sys.stdout.flush()
+            if sys.stdout is not None:  # it is where the shell has closed it
+                sys.stdout.flush()
         except click.ClickException as error:
             error.show()
             status = error.exit_code

@@ -79,9 +79,10 @@ def first_frame_in(path: Path) -> Path:
     FormatError
         When the folder holds several clips; the sentence names them.
     """
-    if not path.is_dir():
+    try:
+        clips = clips_in(os.listdir(path))
+    except (OSError, ValueError):  # no folder, or none that may be looked into: whoever opens it says so
         return path
-    clips = clips_in(os.listdir(path))
     if len(clips) > 1:
         shown = ", ".join(repr(clip) for clip in list(clips)[:6])
         raise FormatError(

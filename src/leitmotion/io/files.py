@@ -12,6 +12,8 @@ from pathlib import Path
 
 from leitmotion.motion import FormatError
 
+_SPECIAL = "a device or a pipe"
+
 LARGEST = 4 << 30
 """Bytes of the largest file that is read."""
 
@@ -40,8 +42,8 @@ def read_bytes(path: Path) -> bytes:
             raise FormatError(f"Expected a file, {path} is a folder.", remedy="Name a recording in it.")
         if not stat.S_ISREG(facts.st_mode):
             raise FormatError(
-                f"Expected a file, {path} is a device or a pipe.",
-                remedy=f"What comes from a pipe is read as standard input: leitmotion info - < {path}",
+                f"Expected a file, {path} is {_SPECIAL}.",
+                remedy="What comes from a pipe is read as standard input, named -.",
             )
         if facts.st_size > LARGEST:
             raise FormatError(
@@ -94,7 +96,7 @@ def write_whole(path: str | PathLike[str], content: str | bytes) -> Path:
     Raises
     ------
     FormatError
-        When the folder cannot be written to or the disk is full.
+        When the folder cannot be written to, the disk is full, or the path is a device.
 
     Examples
     --------
@@ -104,9 +106,12 @@ def write_whole(path: str | PathLike[str], content: str | bytes) -> Path:
     'whole'
     """
     path = Path(path)
-    data = content.encode("utf-8") if isinstance(content, str) else content
+    # what no UTF-8 holds, half a character of a name, is spelled out
+    data = content.encode("utf-8", "backslashreplace") if isinstance(content, str) else content
     temporary = ""
     try:
+        if path.exists() and not (path.is_file() or path.is_dir()):  # which a file would take the place of
+            raise FormatError(f"{path} cannot be written: it is {_SPECIAL}.", remedy="Choose another place.")
         path.parent.mkdir(parents=True, exist_ok=True)
         # not by tempfile, whose files are for their owner alone: this one gets the mode of any file that is made
         beside = path.parent / f".{path.name}.{secrets.token_hex(8)}.part"
@@ -117,10 +122,12 @@ def write_whole(path: str | PathLike[str], content: str | bytes) -> Path:
             file.flush()
             os.fsync(file.fileno())
         os.replace(temporary, path)
-    except OSError as error:
+    except FormatError:
+        raise
+    except (OSError, ValueError) as error:  # the latter of a name that no file can have
         _discard(temporary)
         raise FormatError(
-            f"{path} cannot be written: {error.strerror or error}.",
+            f"{path} cannot be written: {getattr(error, 'strerror', None) or error}.",
             remedy="Choose another place, or make room and check the permissions.",
         ) from None
     except BaseException:  # an interruption, too, leaves nothing behind
