@@ -214,3 +214,12 @@ def test_labels_of_an_eaf_come_from_one_tier(run: Run, made: Path) -> None:
     assert "several tiers, 'moves', 'speech'" in told.stderr
     assert run("report", made / "jacks.bvh", "--labels", "labels.eaf", "--tier", "speech").exit_code == 0
     assert "hello" in Path("jacks.html").read_text(encoding="utf-8")
+
+
+def test_labels_that_reach_beyond_what_was_read_are_told(run: Run, made: Path) -> None:
+    Path("labels.csv").write_text("start_s,stop_s,label\n0,2,a\n1,3,b\n2,9,c\n3.5,99,b\n", encoding="utf-8")
+    told = run("report", f"{made / 'jacks.bvh'}[1s:4s]", "--labels", "labels.csv")
+    assert told.exit_code == 0
+    assert (
+        "Note: Cut: 3 labels in labels.csv (a, c, b) reach beyond the 3.00 s that were read." in told.stderr
+    )

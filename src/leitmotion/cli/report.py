@@ -95,7 +95,7 @@ def report(
 
 
 def _read_labels(path: Path, tier: str | None, opened: Opened) -> tuple[Segmentation, list[str]]:
-    """Read labels of the whole file, keep those of the window that was read, and say how many are not."""
+    """Read labels of the whole file, keep those of the window that was read, and say how many are not, or not whole."""
     from leitmotion.api import Segmentation, read_annotations
 
     labels = read_annotations(path, rate=opened.recording.rate, trial=opened.recording.name, tier=tier)
@@ -108,10 +108,15 @@ def _read_labels(path: Path, tier: str | None, opened: Opened) -> tuple[Segmenta
         scores=labels.scores[inside],
         rate=labels.rate,
     )
-    if inside.all():
-        return kept, []
-    lost = f"{len(labels) - len(kept)} of {len(labels)} labels in {path.name}"
-    return kept, [f"Not shown: {lost}, outside the {opened.recording.duration:.2f} s that were read."]
+    notes, read = [], f"the {opened.recording.duration:.2f} s that were read"
+    if not inside.all():
+        lost = f"{len(labels) - len(kept)} of {len(labels)} labels in {path.name}"
+        notes.append(f"Not shown: {lost}, outside {read}.")
+    cut = inside & ((labels.starts < first) | (labels.stops > first + frames))
+    if cut.any():
+        names = ", ".join(dict.fromkeys(itertools.compress(labels.labels, cut)))
+        notes.append(f"Cut: {int(cut.sum())} labels in {path.name} ({names}) reach beyond {read}.")
+    return kept, notes
 
 
 def _pages(inputs: Sequence[Input], output: Path | None) -> dict[str, Path]:
