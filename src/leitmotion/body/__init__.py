@@ -5,6 +5,7 @@ from leitmotion.body.embody import embody
 from leitmotion.body.mapfile import map_from, map_to_entries
 from leitmotion.body.mapping import find_roles
 from leitmotion.body.roles import ANALYSIS_ROLES, LINKS, ROLES, links_between, mirror_role
+from leitmotion.body.sides import SideCheck, check_sides
 
 __all__ = [
     "ANALYSIS_ROLES",
@@ -12,6 +13,8 @@ __all__ = [
     "ROLES",
     "Body",
     "BodyMap",
+    "SideCheck",
+    "check_sides",
     "embody",
     "find_roles",
     "links_between",

@@ -14,16 +14,15 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 
 from leitmotion.body.body import BodyMap
+from leitmotion.body.look import Look, look_at
 from leitmotion.body.names import PointName, parse_names
 from leitmotion.body.plausibility import DOUBT, SEGMENTS, doubts
-from leitmotion.body.roles import ROLES
+from leitmotion.body.reconcile import reconcile
+from leitmotion.body.roles import ANALYSIS_ROLES, ROLES, mirror_role
+from leitmotion.body.shape import Found, roles_from_shape
+from leitmotion.body.sides import weigh_sides
 from leitmotion.body.vocabulary import AXIAL_WORDS, BONES, LANDMARKS, LIMB_WORDS, ON_SKIN, Alternative
-from leitmotion.motion import Motion, Skeleton, Trajectories, forward_kinematics
-
-SAMPLE = 64  # frames that the geometric check looks at, evenly spread
-
-Found = dict[str, tuple[tuple[int, ...], float]]
-"""role -> (its points, confidence)"""
+from leitmotion.motion import Motion, Skeleton, Trajectories
 
 
 def find_roles(recording: Motion | Trajectories) -> BodyMap:
@@ -58,29 +57,37 @@ def find_roles(recording: Motion | Trajectories) -> BodyMap:
     """
     skeleton = recording.skeleton if isinstance(recording, Motion) else None
     names = skeleton.names if skeleton is not None else recording.names  # type: ignore[union-attr]
+    look = look_at(recording)
     parsed = parse_names(names)
     on_skin = (
         isinstance(recording, Trajectories)
         and recording.kind == "marker"
         and not LANDMARKS.isdisjoint(name.word for name in parsed)
     )
-    found = _from_names(parsed, ignored=BONES if on_skin else frozenset())
-    if skeleton is not None:
-        _trunk_from_tree(found, skeleton)
-    _imply(found)
+    named = _from_names(parsed, ignored=BONES if on_skin else frozenset())
+    found = dict(named)
+    _complete(found, skeleton)
+    against = _doubts(found, skeleton, look)
+    if not on_skin and (against or not set(ANALYSIS_ROLES) <= set(found)):
+        both = reconcile(named, roles_from_shape(recording, look), look.positions, _meanings(parsed))
+        if both != named:
+            found = both
+            _complete(found, skeleton)
+            against = _doubts(found, skeleton, look)
     roles = tuple(role for role in ROLES if role in found)
-    sampled = _sampled_points(recording)
-    geometry = doubts({role: sampled[:, found[role][0]].mean(axis=1) for role in roles})
-    tree = _tree_doubts(found, skeleton) if skeleton is not None else {}
     highest = ON_SKIN if on_skin else 1.0
-    confidence = [
-        min(found[role][1], highest) * geometry.get(role, 1.0) * tree.get(role, 1.0) for role in roles
-    ]
     return BodyMap(
         roles=roles,
         members=tuple(tuple(names[i] for i in found[role][0]) for role in roles),
-        confidence=np.array(confidence),
+        confidence=np.array([min(found[role][1], highest) * against.get(role, 1.0) for role in roles]),
     )
+
+
+def _complete(found: Found, skeleton: Skeleton | None) -> None:
+    """Add what the roles found say about others."""
+    if skeleton is not None:
+        _trunk_from_tree(found, skeleton)
+    _imply(found)
 
 
 def _from_names(parsed: Sequence[PointName], ignored: frozenset[str]) -> Found:
@@ -100,6 +107,19 @@ def _from_names(parsed: Sequence[PointName], ignored: frozenset[str]) -> Found:
     for role, alternatives in AXIAL_WORDS.items():
         _choose(role, "", alternatives, place, taken, found)
     return found
+
+
+def _meanings(parsed: Sequence[PointName]) -> dict[int, list[str]]:
+    """Tell for each point all roles that its name may mean."""
+    return {
+        i: [
+            f"{name.side}_{limb}"
+            for limb, alternatives in LIMB_WORDS.items()
+            if any(name.word == words for words, _ in alternatives)
+        ]
+        for i, name in enumerate(parsed)
+        if name.side
+    }
 
 
 def _choose(
@@ -138,11 +158,12 @@ def _trunk_from_tree(found: Found, skeleton: Skeleton) -> None:
         found.pop(role, None)
     if not path:
         return
+    sure = min(1.0, *(found[role][1] for role in ("pelvis", "neck", "head") if role in found))
     heights = np.cumsum([np.linalg.norm(skeleton.offsets[joint]) for joint in path])
-    found["chest"] = ((path[-1],), 1.0)
+    found["chest"] = ((path[-1],), sure)
     if len(path) > 1:
         nearest = int(np.abs(heights[:-1] - heights[-1] / 2).argmin())
-        found["spine"] = ((path[nearest],), 1.0)
+        found["spine"] = ((path[nearest],), sure)
 
 
 def _path_between(parents: np.ndarray, ancestor: int, joint: int) -> list[int] | None:
@@ -167,10 +188,23 @@ def _imply(found: Found) -> None:
             found[role] = (left[0] + right[0], min(left[1], right[1], confidence))
 
 
-def _sampled_points(recording: Motion | Trajectories) -> np.ndarray:
-    """Global positions of every point in a few frames, evenly spread."""
-    few = recording[:: max(1, len(recording) // SAMPLE)]
-    return forward_kinematics(few).positions if isinstance(few, Motion) else few.positions
+def _doubts(found: Found, skeleton: Skeleton | None, look: Look) -> dict[str, float]:
+    """Multiply, for each role, what geometry, sides and tree have against it."""
+    now, later = (
+        {role: placed[:, list(points)].mean(axis=1) for role, (points, _) in found.items()}
+        for placed in (look.positions, look.later)
+    )
+    sides = weigh_sides(now, later, look.step if look.metric else 0.0, look.duration)
+    against = [doubts(now)]
+    if sides.verdict == "swapped" or sides.crossed:
+        against.append({role: DOUBT for role in found if role != mirror_role(role)})
+    if skeleton is not None:
+        against.append(_tree_doubts(found, skeleton))
+    return {
+        role: factor
+        for role in found
+        if (factor := float(np.prod([those.get(role, 1.0) for those in against]))) < 1.0
+    }
 
 
 def _tree_doubts(found: Found, skeleton: Skeleton) -> dict[str, float]:

@@ -13,17 +13,13 @@ SEGMENTS = (("hip", "knee"), ("knee", "ankle"), ("shoulder", "elbow"), ("elbow",
 LARGEST_RATIO = 1.5  # of one bone's length on the two sides; people differ by a few per cent
 SHORTEST = 0.02  # of the body's height: two joints nearer than this are one joint twice
 DOUBT = 0.5
-CLEARLY = 0.8  # of 1: how much of what the feet say must be against the names
 
 
 def doubts(points: Mapping[str, np.ndarray]) -> dict[str, float]:
     """Find what the places of the points say against their roles.
 
-    Checked are: no bone is without length; a bone is about as long on the left as on the right; the head is
-    farther from the pelvis than the neck is; hips and shoulders agree on which side is left; and the lower foot
-    points where a person faces whose left is where the names say it is, up being from the pelvis to the neck or,
-    without a neck, from the ankles to the pelvis. The other foot may hang, and in a run its toes point backwards
-    for most of the stride. The last check finds files whose sides are swapped or whose axes are left-handed.
+    Checked are: no bone is without length; a bone is about as long on the left as on the right; the head is farther
+    from the pelvis than the neck is. Whether left is left is told by :mod:`leitmotion.body.sides`.
 
     Parameters
     ----------
@@ -46,35 +42,7 @@ def doubts(points: Mapping[str, np.ndarray]) -> dict[str, float]:
                 factor[f"{side}_{below}"] = DOUBT
     if _distance(points, "pelvis", "head") < _distance(points, "pelvis", "neck"):
         factor["head"] = DOUBT
-    if _sides_look_swapped(points):
-        for role in points:
-            if role.startswith(("left_", "right_")):
-                factor[role] = factor.get(role, 1.0) * DOUBT
     return factor
-
-
-def _sides_look_swapped(points: Mapping[str, np.ndarray]) -> bool:
-    across = {pair: _between(points, f"right_{pair}", f"left_{pair}") for pair in ("hip", "shoulder")}
-    if _median(_dot(across["hip"], across["shoulder"])) < 0:
-        return True
-    left, up = across["hip"], _up(points)
-    if left is None or up is None or left.shape[-1] != 3:
-        return False
-    feet = [_between(points, f"{side}_ankle", f"{side}_toe") for side in ("left", "right")]
-    if feet[0] is None or feet[1] is None:
-        return False
-    lower = points["left_ankle"][:, 1] < points["right_ankle"][:, 1]
-    ahead = _dot(np.where(lower[:, None], feet[0], feet[1]), np.cross(left, up))
-    ahead = ahead[np.isfinite(ahead)]
-    return bool(ahead.sum() < -CLEARLY * np.abs(ahead).sum())
-
-
-def _up(points: Mapping[str, np.ndarray]) -> np.ndarray | None:
-    trunk = _between(points, "pelvis", "neck")
-    legs = [_between(points, f"{side}_ankle", "pelvis") for side in ("left", "right")]
-    if trunk is not None or legs[0] is None or legs[1] is None:
-        return trunk
-    return legs[0] + legs[1]
 
 
 def _height(points: Mapping[str, np.ndarray]) -> float:
@@ -94,10 +62,6 @@ def _distance(points: Mapping[str, np.ndarray], start: str, end: str) -> float:
     """Median distance; NaN, against which every comparison is false, where it cannot be told."""
     step = _between(points, start, end)
     return np.nan if step is None else _median(np.linalg.norm(step, axis=-1))
-
-
-def _dot(a: np.ndarray | None, b: np.ndarray | None) -> np.ndarray:
-    return np.array([]) if a is None or b is None else np.einsum("ti,ti->t", a, b)
 
 
 def _median(values: np.ndarray) -> float:
