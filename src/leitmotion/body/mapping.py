@@ -115,7 +115,7 @@ def _meanings(parsed: Sequence[PointName]) -> dict[int, list[str]]:
         i: [
             f"{name.side}_{limb}"
             for limb, alternatives in LIMB_WORDS.items()
-            if any(name.word == words for words, _ in alternatives)
+            if any(name.word == alternative.split()[0] for alternative, _ in alternatives)
         ]
         for i, name in enumerate(parsed)
         if name.side
@@ -131,18 +131,26 @@ def _choose(
     found: Found,
 ) -> None:
     for alternative, confidence in alternatives:
+        words = alternative.split()
         wanted = [
             PointName(part, word.rstrip("*"))
-            for word in alternative.split()
+            for word in words
+            if word[0] not in "+-"
             for part in (("left", "right") if word.endswith("*") else (side,))
         ]
-        if not all(name in place for name in wanted):
+        conditions = [(word[0] == "+", _is_there(word[1:], side, place)) for word in words if word[0] in "+-"]
+        if not all(name in place for name in wanted) or any(want != there for want, there in conditions):
             continue
         points = tuple(place[name] for name in wanted)
         if len(points) > 1 or points[0] not in taken:
             taken.update(points)
             found[role] = (points, confidence)
             return
+
+
+def _is_there(word: str, side: str, place: Mapping[PointName, int]) -> bool:
+    """Whether a name of this side, or of none, says a word."""
+    return PointName(side, word) in place or PointName("", word) in place
 
 
 def _trunk_from_tree(found: Found, skeleton: Skeleton) -> None:
