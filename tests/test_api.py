@@ -287,6 +287,29 @@ def test_info_notices_a_person_upside_down() -> None:
     assert "The head is not above the feet in 100% of the frames" in problems(flipped)["up"]
 
 
+def test_info_tells_whether_left_is_left() -> None:
+    whole = lm.compose_session(seed=3, rate=30.0).motion[:60]
+    told, swapped = (
+        lm.info(whole, body_map=roles)
+        for roles in (None, lm.body.map_to_entries(lm.body.swap_sides(lm.find_roles(whole))))
+    )
+    assert (told.findings["handedness"].value, swapped.findings["handedness"].value) == ("right", "left")
+    assert "sides" not in {problem.what for problem in told.problems}
+    message = {problem.what: problem.message for problem in swapped.problems}["sides"]
+    assert "with the sides as called the foot on the ground points backwards" in message
+
+
+def test_info_says_nothing_of_sides_that_cannot_be_told() -> None:
+    told = lm.info(marker_file())
+    assert "handedness" not in told.findings
+    assert "sides" not in {problem.what for problem in told.problems}
+
+
+def test_info_notices_arms_on_the_wrong_side() -> None:
+    names = tuple({"LSHO": "RSHO", "RSHO": "LSHO"}.get(name, name) for name in marker_file().names)
+    assert "hips and shoulders disagree" in problems(marker_file(names=names))["sides"]
+
+
 def test_info_notices_a_jump_after_the_first_frame() -> None:
     positions = marker_file().positions.copy()
     positions[0, :, 2] += 3.0

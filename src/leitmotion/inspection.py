@@ -15,7 +15,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from leitmotion.body import ANALYSIS_ROLES, Body, BodyMap, embody, find_roles, map_from
+from leitmotion.body import ANALYSIS_ROLES, Body, BodyMap, check_sides, embody, find_roles, map_from
 from leitmotion.io import Finding, Reading, open_recording
 from leitmotion.motion import DataError, Motion, ParameterError, Trajectories
 
@@ -67,7 +67,8 @@ class Info:
     roles : BodyMap
         Which joints or markers stand for which role, with the confidence of each.
     findings : dict of str to Finding
-        "unit", "up", "rate", "facing", "size" and what else the reader knows, each with its reason.
+        "unit", "up", "rate", "facing", "size", where it can be told "handedness", and what else the reader knows, each
+        with its reason.
     problems : tuple of Problem
         What is wrong, worst first; empty when nothing is.
     dimensions : int
@@ -168,6 +169,7 @@ def _describe(
         "up": Finding("y", "given", not_from_file),
         "rate": Finding(recording.rate, "given", not_from_file),
         **reading.findings,
+        **_handedness(recording, body_map),
         "facing": _facing(body),
         "size": Finding(
             None if unsized else body.size, "guessed", unsized or _HOW_SIZED[bool(body_map.roles)]
@@ -207,6 +209,14 @@ def _embodied(recording: Recording, body_map: BodyMap) -> tuple[Body, str]:
             recording.names, recording.positions, facing, recording.rate, 1.0, unit, facing_told=False
         )
         return points, error.message
+
+
+def _handedness(recording: Recording, roles: BodyMap) -> dict[str, Finding]:
+    """Say "right" where left is left, "left" where sides or axes are the wrong way round, else nothing."""
+    sides = check_sides(recording, roles)
+    hand = {"agree": "right", "swapped": "left"}.get(sides.verdict)
+    reason = f"with the sides as they are called {sides.reason}"
+    return {"handedness": Finding(hand, "guessed", reason)} if hand else {}
 
 
 def _facing(body: Body) -> Finding:
@@ -254,6 +264,21 @@ def _sure(recording: Recording, body: Body, roles: BodyMap) -> Problem | None:
         "unsure",
         f"Uncertain which joint or marker is {_listed(unsure)}.",
         "Check the roles; --map settles them.",
+    )
+
+
+def _sided(recording: Recording, body: Body, roles: BodyMap) -> Problem | None:
+    sides = check_sides(recording, roles)
+    if sides.crossed:
+        return Problem(
+            "sides", f"Some sides are swapped: {sides.reason}.", "Name the joints: --map roles.json."
+        )
+    if sides.verdict != "swapped":
+        return None
+    return Problem(
+        "sides",
+        f"Left and right look swapped, or the axes are left-handed: with the sides as called {sides.reason}.",
+        "If they are, a map file that exchanges them settles it: --map roles.json.",
     )
 
 
@@ -362,7 +387,7 @@ _HOW_SIZED = {
 }
 
 _Check = Callable[[Recording, Body, BodyMap], Problem | None]
-_CHECKS: tuple[_Check, ...] = (_sized, _upright, _named, _sure, _jumps, _unseen, _held, _long_enough)
+_CHECKS: tuple[_Check, ...] = (_sized, _upright, _sided, _named, _sure, _jumps, _unseen, _held, _long_enough)
 
 
 def _turning(degrees: float) -> str:

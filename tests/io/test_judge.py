@@ -5,12 +5,11 @@ import pytest
 
 from leitmotion import io
 from leitmotion.io.conform import conform
-from leitmotion.io.judge import contradict_up, judge_sides, judge_unit, judge_up, look
+from leitmotion.io.judge import contradict_up, judge_unit, judge_up, look
 from leitmotion.io.reading import Draft, Finding, Options, PointTake, SkeletonTake
 from leitmotion.motion import Trajectories, rotations
 
 NAMES = ["Hips", "LeftUpLeg", "LeftFoot", "LeftToe", "RightUpLeg", "RightFoot", "RightToe", "Chest", "Head"]
-SWAPPED = [name.replace("Left", "?").replace("Right", "Left").replace("?", "Right") for name in NAMES]
 PARENTS = np.array([-1, 0, 1, 2, 0, 4, 5, 0, 7])
 OFFSETS = np.array([
     [0, 0, 0], [0.1, -0.05, 0], [0, -0.85, 0], [0, -0.05, 0.15], [-0.1, -0.05, 0], [0, -0.85, 0], [0, -0.05, 0.15],
@@ -121,17 +120,6 @@ def test_a_guessed_unit_is_believed_only_of_an_adult(rng):
     assert conform(draft, Options(), "clip")[1]["unit"] is stated
 
 
-def test_sides_are_right_or_look_swapped(rng):
-    for names, value, swapped in ((NAMES, "right", 0), (SWAPPED, "left", 1)):
-        person = take(walk(rng))
-        person.names = names
-        draft = Draft([person], rate=Finding(30.0, "read", ""))
-        (motion,), findings = conform(draft, Options(), "clip")
-        assert judge_sides(motion).value == value
-        assert findings["handedness"].value == value
-        assert sum("sides look swapped" in warning for warning in draft.warnings) == swapped
-
-
 def test_a_stated_vertical_gives_way_only_to_a_ground(rng):
     points = look(take(walk(rng), turn=TO_FILE["x"]))
     stated = Finding("z", "read", "stated")
@@ -188,7 +176,6 @@ def test_real_recordings(data, name, unit, up, rate):
     findings = reading.findings
     assert findings["up"].value == up
     assert findings["rate"].value == rate
-    assert not any("swapped" in warning for warning in reading.warnings)
     if unit is None:  # a body of about 42 units: nobody knows what they are
         assert any("--unit" in warning for warning in reading.warnings)
     else:

@@ -4,7 +4,6 @@ A convention is (kind, names, roles). In names and roles ``{S}`` is Left and Rig
 and R, ``{c}`` l and r; a word with any of these stands for both sides. Roles are ``role=NAME`` or ``role=NAME+NAME``.
 """
 
-
 SIDES = ({"S": "Left", "s": "left", "C": "L", "c": "l"}, {"S": "Right", "s": "right", "C": "R", "c": "r"})
 
 FINGERS = " ".join(

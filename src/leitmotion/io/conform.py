@@ -10,7 +10,6 @@ import numpy as np
 from leitmotion.io.judge import (
     contradict_up,
     doubt_unit,
-    judge_sides,
     judge_unit,
     judge_up,
     look,
@@ -144,11 +143,6 @@ def conform(
             word = unit.value if unit.value in IMAGE_UNITS else "m"
             nouns.append(_trajectories(take, metres, turn, word, rate.value, called))
     findings = {"unit": unit, "up": up, "rate": rate, **draft.findings}
-    sides = judge_sides(nouns[0]) if isinstance(nouns[0], Motion) else None
-    if sides is not None:
-        findings["handedness"] = sides
-        if sides.value == "left":
-            draft.warnings.append(f"The sides look swapped: {sides.reason}.")
     return nouns, findings
 
 

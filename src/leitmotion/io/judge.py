@@ -1,4 +1,4 @@
-"""What a file does not say, judged from the body in it: the unit, the vertical, the sides.
+"""What a file does not say, judged from the body in it: the unit and the vertical.
 
 Every judgement is a :class:`~leitmotion.io.reading.Finding` that is "guessed" and says why.
 """
@@ -286,44 +286,6 @@ def doubt_unit(stated: Finding, take: SkeletonTake | PointTake, positions: np.nd
     )
 
 
-def judge_sides(motion: Motion) -> Finding | None:
-    """Tell whether left is left: left, up and forward must make a right-handed frame while the toes point forward.
-
-    Parameters
-    ----------
-    motion : Motion
-        In the house's axes.
-
-    Returns
-    -------
-    Finding or None
-        "right" for right-handed; "left" where the sides look swapped; None where it cannot be told.
-    """
-    words = [name.lower() for name in motion.skeleton.names]
-    hips = _pair(words, ("upleg", "upperleg", "thigh", "femur", "hip"))
-    ankles, toes = _pair(words, ("ankle", "foot")), _pair(words, ("toe",))
-    if not len(hips) == len(ankles) == len(toes) == 2:
-        return None
-    pose = forward_kinematics(motion[:: max(1, len(motion) // _LOOKS)]).positions
-    left = pose[:, hips[0]] - pose[:, hips[1]]
-    feet = pose[:, toes] - pose[:, ankles]
-    standing = np.argmin(
-        pose[:, ankles, 1], axis=1
-    )  # the foot on the ground points forward, the other may hang
-    forward = feet[np.arange(len(feet)), standing]
-    facing = left[:, 0] * forward[:, 2] - left[:, 2] * forward[:, 0]
-    vote = float(facing.sum() / max(np.abs(facing).sum(), 1e-12))
-    if vote > 0.5:
-        return Finding(
-            "right", "guessed", "the left hip is on the left of where the foot on the ground points"
-        )
-    if vote < -0.8:
-        return Finding(
-            "left", "guessed", "the hip named left is on the right of where the foot on the ground points"
-        )
-    return None
-
-
 def _wander(axis: str, positions: np.ndarray) -> float:
     """How far, of the body's size, its lowest point along an axis wanders; infinite where that is no ground."""
     size = _median(_reach(positions)).max()
@@ -395,30 +357,6 @@ def _outermost(points: np.ndarray) -> np.ndarray:
         return points
     ways = [way for way in product((-1, 0, 1), repeat=points.shape[1]) if any(way)]
     return points[np.unique((points @ np.array(ways).T).argmax(axis=0))]
-
-
-def _pair(words: list[str], parts: tuple[str, ...]) -> list[int]:
-    """Joints of the left and of the right side whose name holds one of the parts, the first of each that there is."""
-    return [k for side in ("left", "right") if (k := _find(words, side, parts)) is not None]
-
-
-def _find(words: list[str], side: str, parts: tuple[str, ...]) -> int | None:
-    letter = side[0]
-    for part in parts:
-        for k, word in enumerate(words):
-            bare = word.rpartition(":")[2]
-            rest = bare.replace(part, "|", 1)
-            if (
-                "|" in rest
-                and "hipjoint" not in bare
-                and (  # CMU's hip joints are bones that start in the root
-                    side in rest
-                    or rest.startswith((f"{letter}|", f"{letter}_", f"{letter}."))
-                    or rest.endswith((f"_{letter}", f".{letter}", f"|{letter}"))
-                )
-            ):
-                return k
-    return None
 
 
 def _rest(take: SkeletonTake) -> np.ndarray:

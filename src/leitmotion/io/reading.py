@@ -46,7 +46,7 @@ class Reading:
     """One noun a person."""
 
     findings: dict[str, Finding]
-    """By topic: "unit", "up", "rate", and where meaningful "skeleton" and "handedness"."""
+    """By topic: "unit", "up", "rate", and where meaningful "skeleton"."""
 
     warnings: tuple[str, ...]
     """What is odd about the file, a sentence each."""
