@@ -17,6 +17,7 @@ from typing import NamedTuple
 import numpy as np
 
 from leitmotion.body.graph import Graph
+from leitmotion.body.look import typical
 from leitmotion.body.size import ARM, BREADTH, CHAIN
 
 THIGH, SHIN = CHAIN["hip", "knee"], CHAIN["knee", "ankle"]
@@ -32,6 +33,7 @@ PASSED = 0.25  # what a joint costs that an arm's bone passes over
 NARROWEST = 0.05  # of the usual breadth: shoulders that are nearer to each other cost no more
 LIKELY = 16  # bones on the way to a hand that are tried as an arm, the likeliest
 UNLIKE = 5.0  # how much more the difference of the sides costs than that from people's proportions
+NOWHERE = 1e-9  # a length that costs too much
 LEVEL = 0.15  # what it costs that hands are lower than feet throughout
 NO_HEAD = 0.3  # what it costs that nothing but the arms leaves the chest
 
@@ -227,7 +229,8 @@ def _trunk(graph: Graph, legs: tuple[Limb, Limb], arms: tuple[Limb, Limb]) -> fl
     hips, shoulders = (
         graph.positions[:, [limb.joints[0] for limb in pair]].mean(axis=1) for pair in (legs, arms)
     )
-    return max(float(np.nanmedian(np.linalg.norm(shoulders - hips, axis=1))), 1e-9)
+    length = typical(np.linalg.norm(shoulders - hips, axis=1))
+    return length if length > 0 else NOWHERE
 
 
 def _arms(

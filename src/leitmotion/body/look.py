@@ -84,3 +84,9 @@ def by_role(
     """
     place = {name: i for i, name in enumerate(names)}
     return {role: positions[:, [place[n] for n in those]].mean(axis=1) for role, those in members.items()}
+
+
+def typical(values: np.ndarray) -> float:
+    """Median of what is finite; NaN, against which every comparison is false, where nothing is."""
+    values = values[np.isfinite(values)]
+    return float(np.median(values)) if len(values) else np.nan

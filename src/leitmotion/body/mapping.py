@@ -68,7 +68,8 @@ def find_roles(recording: Motion | Trajectories) -> BodyMap:
     found = dict(named)
     _complete(found, skeleton)
     against = _doubts(found, skeleton, look)
-    if not on_skin and (against or not set(ANALYSIS_ROLES) <= set(found)):
+    open_questions = against or not set(ANALYSIS_ROLES) <= set(found) or _passed_over(found, skeleton)
+    if open_questions and not on_skin:
         both = reconcile(named, roles_from_shape(recording, look), look.positions, _meanings(parsed))
         if both != named:
             found = both
@@ -170,7 +171,8 @@ def _trunk_from_tree(found: Found, skeleton: Skeleton) -> None:
     heights = np.cumsum([np.linalg.norm(skeleton.offsets[joint]) for joint in path])
     found["chest"] = ((path[-1],), sure)
     if len(path) > 1:
-        nearest = int(np.abs(heights[:-1] - heights[-1] / 2).argmin())
+        off = np.abs(heights[:-1] - heights[-1] / 2) / max(heights[-1], 1e-12)
+        nearest = int(off.round(6).argmin())  # of two that are as near the lower, whatever the unit
         found["spine"] = ((path[nearest],), sure)
 
 
@@ -213,6 +215,16 @@ def _doubts(found: Found, skeleton: Skeleton | None, look: Look) -> dict[str, fl
         for role in found
         if (factor := float(np.prod([those.get(role, 1.0) for those in against]))) < 1.0
     }
+
+
+def _passed_over(found: Found, skeleton: Skeleton | None) -> bool:
+    """Whether a joint lies between two that should follow each other: a twist, or the one that is meant."""
+    return skeleton is not None and any(
+        _path_between(skeleton.parents, found[upper][0][0], found[lower][0][0])
+        for side in ("left", "right")
+        for upper, lower in ((f"{side}_{above}", f"{side}_{below}") for above, below in SEGMENTS)
+        if upper in found and lower in found
+    )
 
 
 def _tree_doubts(found: Found, skeleton: Skeleton) -> dict[str, float]:

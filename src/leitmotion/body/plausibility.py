@@ -9,6 +9,8 @@ from collections.abc import Mapping
 
 import numpy as np
 
+from leitmotion.body.look import typical
+
 SEGMENTS = (("hip", "knee"), ("knee", "ankle"), ("shoulder", "elbow"), ("elbow", "wrist"))
 LARGEST_RATIO = 1.5  # of one bone's length on the two sides; people differ by a few per cent
 SHORTEST = 0.02  # of the body's height: two joints nearer than this are one joint twice
@@ -51,7 +53,7 @@ def _height(points: Mapping[str, np.ndarray]) -> float:
         return np.nan
     stacked = np.stack(list(points.values()), axis=1)
     seen = stacked[np.isfinite(stacked).all(axis=(1, 2))]
-    return float(np.median(np.ptp(seen, axis=1).max(axis=1))) if len(seen) else np.nan
+    return typical(np.ptp(seen, axis=1).max(axis=1)) if len(seen) else np.nan
 
 
 def _between(points: Mapping[str, np.ndarray], start: str, end: str) -> np.ndarray | None:
@@ -61,9 +63,4 @@ def _between(points: Mapping[str, np.ndarray], start: str, end: str) -> np.ndarr
 def _distance(points: Mapping[str, np.ndarray], start: str, end: str) -> float:
     """Median distance; NaN, against which every comparison is false, where it cannot be told."""
     step = _between(points, start, end)
-    return np.nan if step is None else _median(np.linalg.norm(step, axis=-1))
-
-
-def _median(values: np.ndarray) -> float:
-    values = values[np.isfinite(values)]
-    return float(np.median(values)) if len(values) else np.nan
+    return np.nan if step is None else typical(np.linalg.norm(step, axis=-1))

@@ -7,13 +7,12 @@ person walks (:mod:`leitmotion.body.sides`).
 
 from __future__ import annotations
 
-from itertools import pairwise
-
 import numpy as np
 
+from leitmotion.body.cloud import BALL, KNUCKLES, beside_trunk, gap, neck_and_head
 from leitmotion.body.graph import Graph, graph_of
 from leitmotion.body.limbs import Fit, fit_body
-from leitmotion.body.look import Look
+from leitmotion.body.look import Look, typical
 from leitmotion.body.roles import mirror_role
 from leitmotion.body.sides import weigh_sides
 from leitmotion.motion import Motion, Skeleton, Trajectories
@@ -24,21 +23,9 @@ Found = dict[str, tuple[tuple[int, ...], float]]
 SURE = 0.8  # a role that build and motion tell clearly
 UNSURE = 0.5  # the most that a role has whose side, or whose body, is not clear
 DOUBTFUL = 0.45  # cost from which a body is not clear
-WORST, WORST_POINTS = (
-    1.0,
-    0.6,
-)  # cost of what is no body; markers on the skin make odd trees, some of them cheap
-BALL = 0.03  # of stature: how far from the ankle the ball of the foot is at least
-KNUCKLES = 0.035  # of stature: how far from the wrist the knuckles are at least
+WORST_TREE, WORST_POINTS = 1.0, 0.6  # cost of what is no body; the trees that markers make may be cheap
+CLEAR_IN_POINTS = ("pelvis", "shoulder", "elbow", "wrist", "hip", "knee", "ankle", "toe")
 TOE_TIP = 0.06  # of stature: how far from the ankle an end must be to show where the foot points
-SKULL = 0.1  # of stature: about how far the base of the skull is from that of the neck, along the joints
-MIDDLE = 0.3  # of half the breadth of the shoulders: how far aside a point of the trunk is at most
-LOWEST, PELVIS, NECK, HIGHEST = (
-    -0.15,
-    0.3,
-    0.8,
-    1.7,
-)  # between hips, 0, and shoulders, 1: up to where each part reaches
 
 
 def roles_from_shape(recording: Motion | Trajectories, look: Look) -> Found:
@@ -58,7 +45,7 @@ def roles_from_shape(recording: Motion | Trajectories, look: Look) -> Found:
         the roles that have one) or whether this is a body.
     """
     graph = graph_of(recording, look.positions)
-    most = WORST if isinstance(recording, Motion) else WORST_POINTS
+    most = WORST_TREE if isinstance(recording, Motion) else WORST_POINTS
     fit = fit_body(graph, most) if graph is not None else None
     if graph is None or fit is None:
         return {}
@@ -66,7 +53,7 @@ def roles_from_shape(recording: Motion | Trajectories, look: Look) -> Found:
     if isinstance(recording, Motion):
         points = _along_tree(recording.skeleton, graph, fit, chosen, look.positions)
     else:
-        points = _beside_trunk(graph, fit, chosen)
+        points = beside_trunk(graph, fit, chosen)
     tips = {f"{side}_toe": fit.ends[k] for k, side in enumerate(("left", "right"))}
     now, later = (
         {role: placed[:, point] for role, point in points.items()} for placed in (look.positions, look.later)
@@ -74,7 +61,7 @@ def roles_from_shape(recording: Motion | Trajectories, look: Look) -> Found:
     for role, tip in tips.items():
         if (
             role not in now
-            and _apart(graph, tip, chosen[role.replace("toe", "ankle")]) > TOE_TIP * fit.stature
+            and gap(graph.positions, tip, chosen[role.replace("toe", "ankle")]) > TOE_TIP * fit.stature
         ):
             now[role] = graph.positions[:, tip]
     if "pelvis" not in now:
@@ -90,7 +77,10 @@ def roles_from_shape(recording: Motion | Trajectories, look: Look) -> Found:
     for role, point in points.items():
         named = mirror_role(role) if check.balance < 0 else role
         sided = named != mirror_role(named)
-        found[named] = ((point,), body if clear or not sided else min(body, UNSURE))
+        plain = clear or not sided
+        if not isinstance(recording, Motion) and role.rpartition("_")[2] not in CLEAR_IN_POINTS:
+            plain = False
+        found[named] = ((point,), body if plain else min(body, UNSURE))
     return found
 
 
@@ -102,7 +92,7 @@ def _limbs(graph: Graph, fit: Fit) -> dict[str, int]:
         graph.positions[:, pair[0].joints[0]] - graph.positions[:, pair[1].joints[0]] for pair in (legs, arms)
     )
     hands = fit.ends[2:]
-    if np.nanmedian(np.einsum("ti,ti->t", hips, shoulders)) < 0:
+    if typical(np.einsum("mc,mc->m", hips, shoulders)) < 0:
         arms, hands = arms[::-1], hands[::-1]
     for k, side in enumerate(("left", "right")):
         for limb, roles in ((legs[k], ("hip", "knee", "ankle")), (arms[k], ("shoulder", "elbow", "wrist"))):
@@ -128,7 +118,7 @@ def _along_tree(
     arms = {point for shoulder in shoulders for point in above[shoulder]}
     top = [point for place in fit.head for point in graph.members[place] if point < joints]
     skull = above[top[-1]] if top else []
-    points.update(_neck_and_head(_to_first_fork(skeleton, skull, arms), positions, fit.stature))
+    points.update(neck_and_head(_to_first_fork(skeleton, skull, arms), positions, fit.stature))
     for k, side in enumerate(("left", "right")):
         if f"{side}_shoulder" in points:
             own, other = points[f"{side}_shoulder"], points.get(f"{mirror_role(side + '_shoulder')}", pelvis)
@@ -141,7 +131,7 @@ def _along_tree(
                 graph.members[place][0]
                 for place in way
                 if graph.members[place][0] < joints
-                and _apart(graph, place, chosen[f"{side}_ankle"]) >= BALL * fit.stature
+                and gap(graph.positions, place, chosen[f"{side}_ankle"]) >= BALL * fit.stature
             ]
             if toes:
                 points[f"{side}_toe"] = toes[0]
@@ -167,97 +157,23 @@ def _to_first_fork(skeleton: Skeleton, line: list[int], arms: set[int]) -> list[
     return way[: forks[0] + 1] if forks else way
 
 
-def _neck_and_head(line: list[int], positions: np.ndarray, stature: float) -> dict[str, int]:
-    """Name the neck, the first of a line of joints, and of the others the one that is as far away as a skull's base."""
-    if not line:
-        return {}
-    if len(line) == 1:
-        return {"head": line[0]}
-    along = np.cumsum([_gap(positions, a, b) for a, b in pairwise(line)])
-    return {"neck": line[0], "head": line[1 + int(np.abs(along - SKULL * stature).argmin())]}
-
-
 def _knuckles(skeleton: Skeleton, wrist: int, positions: np.ndarray, least: float) -> int | None:
     """Find the joint in the middle of the first ones that are not at the wrist any more, or that carries others."""
     beside = [int(j) for j in np.flatnonzero(skeleton.parents == wrist)]
     first, waiting = [], list(beside)
     while waiting:
         joint = waiting.pop()
-        if _gap(positions, wrist, joint) >= least:
+        if gap(positions, wrist, joint) >= least:
             first.append(joint)
         else:
             waiting += [int(j) for j in np.flatnonzero(skeleton.parents == joint)]
     first = first or [joint for joint in beside if (skeleton.parents == joint).any()]
     if not first:
         return None
-    middle = np.nanmean(positions[:, first], axis=1)
-    aside = [np.nanmedian(np.linalg.norm(positions[:, j] - middle, axis=1)) // (least / 4) for j in first]
+    middle = positions[:, first].mean(axis=1)
+    aside = [typical(np.linalg.norm(positions[:, j] - middle, axis=1)) // (least / 4) for j in first]
     carried = np.ones(len(skeleton))
     for joint in range(len(skeleton) - 1, 0, -1):
         carried[skeleton.parents[joint]] += carried[joint]
-    reach = [_gap(positions, wrist, j) for j in first]
+    reach = [gap(positions, wrist, j) for j in first]
     return min(zip(aside, -carried[first], [-r for r in reach], first, strict=True))[-1]
-
-
-def _beside_trunk(graph: Graph, fit: Fit, chosen: dict[str, int]) -> dict[str, int]:
-    """Name the points of a body without a tree by how high beside the trunk they are, and how far to the left."""
-    roles = {role: place for role, place in chosen.items() if not role.endswith("fingers")}
-    beyond: set[int] = set()
-    for k, side in enumerate(("left", "right")):
-        foot, hand = graph.path(roles[f"{side}_ankle"], fit.ends[k]), _way_to_hand(graph, chosen, side)
-        for role, way, least in (("toe", foot, BALL), ("hand", hand, KNUCKLES)):
-            far = [place for place in way[1:] if _apart(graph, way[0], place) >= least * fit.stature]
-            roles.update({f"{side}_{role}": place for place in far[:1]})
-            beyond.update(way)
-    free = [place for place in range(len(graph.members)) if place not in beyond | set(roles.values())]
-    height, aside = _in_trunk(graph, chosen)
-    middle = sorted((place for place in free if abs(aside[place]) < MIDDLE), key=lambda place: height[place])
-    trunk = [place for place in middle if LOWEST < height[place] < NECK]
-    top = [place for place in middle if NECK <= height[place] < HIGHEST]
-    if trunk and height[trunk[0]] < PELVIS:
-        roles["pelvis"] = trunk.pop(0)
-    if trunk:
-        roles["chest"] = trunk[-1]
-    if len(trunk) > 1:
-        roles["spine"] = min(trunk[:-1], key=lambda place: abs(height[place] - height[trunk[-1]] / 2))
-    roles.update(_neck_and_head(top, graph.positions, fit.stature))
-    points = {role: graph.members[place][0] for role, place in roles.items()}
-    for side, sign in (("left", 1.0), ("right", -1.0)):
-        held = [
-            place for place in free if MIDDLE <= sign * aside[place] < 1 and NECK <= height[place] < HIGHEST
-        ]
-        if held:
-            points[f"{side}_clavicle"] = graph.members[held[0]][0]
-    coinciding = graph.members[roles["neck"]] if "neck" in roles else ()
-    if len(coinciding) > 2 and "left_clavicle" not in points:
-        points.update(zip(("left_clavicle", "right_clavicle"), coinciding[1:], strict=False))
-    return points
-
-
-def _way_to_hand(graph: Graph, chosen: dict[str, int], side: str) -> list[int]:
-    return graph.path(chosen[f"{side}_wrist"], chosen[f"{side}_fingers"])
-
-
-def _in_trunk(graph: Graph, chosen: dict[str, int]) -> tuple[np.ndarray, np.ndarray]:
-    """Tell for each place how high it is, hips 0 and shoulders 1, and how far to the left, the left shoulder 1."""
-    left, right, low_left, low_right = (
-        graph.positions[:, chosen[role]]
-        for role in ("left_shoulder", "right_shoulder", "left_hip", "right_hip")
-    )
-    up, across = (left + right - low_left - low_right) / 2, (left - right) / 2
-    high = np.einsum("mnc,mc->mn", graph.positions - (low_left + low_right)[:, None] / 2, up)
-    far = np.einsum("mnc,mc->mn", graph.positions - (left + right)[:, None] / 2, across)
-    return (
-        np.nanmedian(high / np.einsum("mc,mc->m", up, up)[:, None], axis=0),
-        np.nanmedian(far / np.einsum("mc,mc->m", across, across)[:, None], axis=0),
-    )
-
-
-def _apart(graph: Graph, a: int, b: int) -> float:
-    return _gap(graph.positions, a, b)
-
-
-def _gap(positions: np.ndarray, a: int, b: int) -> float:
-    gap = np.linalg.norm(positions[:, a] - positions[:, b], axis=1)
-    gap = gap[np.isfinite(gap)]
-    return float(np.median(gap)) if len(gap) else 0.0

@@ -20,7 +20,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from leitmotion.body.body import BodyMap
-from leitmotion.body.look import by_role, look_at
+from leitmotion.body.look import by_role, look_at, typical
 from leitmotion.motion import Motion, Trajectories
 
 Points = Mapping[str, np.ndarray]
@@ -127,7 +127,7 @@ def weigh_sides(now: Points, later: Points, step: float, duration: float) -> Sid
     front = _front(now)
     if front is None:
         return SideCheck("unknown", 0.0, "hips and the way up are not known in three dimensions", {})
-    if _median(_dot(_across(now, "hip"), _across(now, "shoulder"))) < 0:
+    if typical(_dot(_across(now, "hip"), _across(now, "shoulder"))) < 0:
         return SideCheck("unknown", 0.0, "hips and shoulders disagree on which side is left", {}, True)
     seen = {
         "feet": _feet(now, front),
@@ -164,7 +164,7 @@ def _feet(now: Points, front: np.ndarray) -> float | None:
     lower = now["left_ankle"][:, 1] < now["right_ankle"][:, 1]
     foot = _unit(np.where(lower[:, None], left, right))
     ahead = _dot(foot, front)
-    return _vote(ahead) if _median(np.abs(ahead)) >= LEVEL else None
+    return _vote(ahead) if typical(np.abs(ahead)) >= LEVEL else None
 
 
 def _knees(now: Points, front: np.ndarray) -> float | None:
@@ -241,11 +241,6 @@ def _vote(ahead: np.ndarray) -> float | None:
 
 def _dot(a: np.ndarray | None, b: np.ndarray | None) -> np.ndarray:
     return np.array([]) if a is None or b is None else np.einsum("ti,ti->t", a, b)
-
-
-def _median(values: np.ndarray) -> float:
-    values = values[np.isfinite(values)]
-    return float(np.median(values)) if len(values) else np.nan
 
 
 def _unit(vectors: np.ndarray) -> np.ndarray:
