@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from leitmotion.api import (
         Body,
         BodyMap,
+        Converted,
         DataError,
         FormatError,
         Info,
@@ -31,6 +32,7 @@ if TYPE_CHECKING:
         Skeleton,
         Trajectories,
         compose_session,
+        convert,
         embody,
         find_patterns,
         find_roles,
@@ -49,6 +51,7 @@ __version__ = "0.1.0"
 __all__ = [
     "Body",
     "BodyMap",
+    "Converted",
     "DataError",
     "FormatError",
     "Info",
@@ -61,6 +64,7 @@ __all__ = [
     "Skeleton",
     "Trajectories",
     "compose_session",
+    "convert",
     "embody",
     "find_patterns",
     "find_roles",

@@ -15,6 +15,7 @@ from pathlib import Path
 from typing import Any
 
 from leitmotion.body import ROLES, Body, BodyMap, embody, find_roles, map_from
+from leitmotion.conversion import Converted, convert
 from leitmotion.datasets import compose_session
 from leitmotion.discovery import Pattern, Patterns
 from leitmotion.features import FEATURES, FeatureSequence, extract
@@ -35,6 +36,7 @@ from leitmotion.motion import (
 __all__ = [
     "Body",
     "BodyMap",
+    "Converted",
     "DataError",
     "FormatError",
     "Info",
@@ -47,6 +49,7 @@ __all__ = [
     "Skeleton",
     "Trajectories",
     "compose_session",
+    "convert",
     "embody",
     "find_patterns",
     "find_roles",

@@ -24,6 +24,7 @@ Recording = Motion | Trajectories
 BODY_SIZES_M = (0.5, 2.5)  # a child of one year to the tallest adult, along the chain that Body.size measures
 FASTEST_POINT_MPS = 40.0  # no hand or foot is faster; a pitcher's hand comes near
 FASTEST_BODY_MPS = 13.0  # nor is a whole body: the fastest sprint ever measured is 12.4
+MISREAD = ("size", "up")  # problems that tell of a unit or a vertical taken wrongly
 SHORT_S = 1.0  # less holds no movement and its return
 UNSURE = 0.6  # roles less sure than this are named
 
@@ -99,6 +100,15 @@ class Info:
     def duration(self) -> float:
         """Length in seconds."""
         return self.frames / self.rate
+
+    @property
+    def misread(self) -> tuple[str, ...]:
+        """What tells of a unit or a vertical taken wrongly, so that all that is found then is in doubt."""
+        return tuple(
+            f"{problem.message} {problem.remedy}".rstrip()
+            for problem in self.problems
+            if problem.what in MISREAD
+        )
 
 
 def info(

@@ -57,7 +57,7 @@ def test_a_wrong_verb_suggests_the_near_one(run: Run, typed: str, meant: str) ->
 def test_a_verb_unlike_any_is_answered_by_their_list(run: Run) -> None:
     told = run("qqq")
     assert told.exit_code == 2
-    assert "The verbs are demo, info, patterns, report." in told.stderr
+    assert "The verbs are demo, info, convert, patterns, report." in told.stderr
 
 
 def test_a_file_in_place_of_the_verb_is_noticed(run: Run) -> None:
@@ -67,14 +67,14 @@ def test_a_file_in_place_of_the_verb_is_noticed(run: Run) -> None:
     assert "leitmotion report dance.bvh" in told.stderr
 
 
-@pytest.mark.parametrize("verb", ["info", "patterns", "report"])
+@pytest.mark.parametrize("verb", ["info", "convert", "patterns", "report"])
 def test_a_verb_without_a_file_is_wrong_usage(run: Run, verb: str) -> None:
     told = run(verb)
     assert told.exit_code == 2
     assert "Missing argument 'INPUT...'" in told.stderr
 
 
-@pytest.mark.parametrize("arguments", [["--help"], ["patterns", "--help"], ["patern"]])
+@pytest.mark.parametrize("arguments", [["--help"], ["patterns", "--help"], ["convert", "--help"], ["patern"]])
 def test_help_loads_nothing_heavy(arguments: list[str]) -> None:
     ran = python("-X", "importtime", "-m", "leitmotion", *arguments)
     loaded = {

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+import contextlib
+from collections.abc import Callable, Collection, Generator, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -44,6 +45,17 @@ class Answer:
     show: Callable[[Console], None]
     parameters: Mapping[str, object] = field(default_factory=dict)
     warnings: Sequence[str] = ()
+    headed: bool = True
+    """Whether beside others it stands under its input's name, apart from them."""
+    silent: bool = False
+    """Whether beside others a person needs no word of it."""
+
+
+@dataclass(frozen=True)
+class LeftOut:
+    """A file found in a folder is no recording but something else, such as a table of labels."""
+
+    why: str
 
 
 @dataclass(frozen=True)
@@ -55,15 +67,12 @@ class Outcome:
 
 
 Look = Callable[[Input, Progress], Answer]
+Answers = Callable[[list[Input], Progress], Generator[Answer | Failure | LeftOut]]
+Check = Callable[[list[Input]], None]
 
 
 def answer_each(
-    verb: str,
-    arguments: Sequence[str],
-    options: Options,
-    look: Look,
-    *,
-    check: Callable[[list[Input]], None] | None = None,
+    verb: str, arguments: Sequence[str], options: Options, look: Look, *, check: Check | None = None
 ) -> Outcome:
     """Look at every input and print what was found, as sentences or as the documents of the contract.
 
@@ -85,21 +94,51 @@ def answer_each(
     Outcome
         The documents, in order, and whether any is a failure.
     """
+
+    def answers(inputs: list[Input], progress: Progress) -> Generator[Answer | Failure | LeftOut]:
+        for given in inputs:
+            yield _look(given, look, progress)
+            progress.step()
+
+    return answer_all(verb, arguments, options, answers, check=check)
+
+
+def answer_all(
+    verb: str,
+    arguments: Sequence[str],
+    options: Options,
+    answers: Answers,
+    *,
+    check: Check | None = None,
+    apart: Collection[Path] = (),
+) -> Outcome:
+    """Print what comes of all inputs; as :func:`answer_each`, which looks at one after another.
+
+    Parameters
+    ----------
+    verb, arguments, options, check
+        As for :func:`answer_each`.
+    answers : callable
+        Gives what came of each input, in their order.
+    apart : collection of Path
+        What the search of folders passes over.
+    """
     from leitmotion.io.formats import readable
 
     documents: list[Document] = []
-    with expand(arguments, readable()) as inputs, Progress(len(inputs), quiet=options.quiet) as progress:
+    with contextlib.ExitStack() as stack:
+        inputs = stack.enter_context(expand(arguments, readable(), apart=apart))
+        progress = stack.enter_context(Progress(len(inputs), quiet=options.quiet))
         if check is not None:
             check(inputs)
         alone = len(inputs) == 1 and inputs[0].shown in arguments
-        for given in inputs:
-            try:
-                answer = _look(given, look, progress)
-            except _NoRecordingError as left_out:
-                progress.note(_line(given, "Left out, as no recording", str(left_out), alone=alone))
+        each = stack.enter_context(contextlib.closing(answers(inputs, progress)))
+        for given, answer in zip(inputs, each, strict=True):
+            progress.hide()
+            if isinstance(answer, LeftOut):
+                progress.note(_line(given, "Left out, as no recording", answer.why, alone=alone))
                 continue
             documents.append(_print(verb, given, answer, options, first=not documents, alone=alone))
-            progress.step()
         if not documents:
             none = Input(arguments[0], Path(arguments[0]))
             failure = Failure("DataError", f"Nothing in {' and '.join(arguments)} is a recording.", "")
@@ -107,11 +146,7 @@ def answer_each(
     return Outcome(documents, any("error" in document for document in documents))
 
 
-class _NoRecordingError(Exception):
-    """A file found in a folder is something else, such as a table of labels."""
-
-
-def _look(given: Input, look: Look, progress: Progress) -> Answer | Failure:
+def _look(given: Input, look: Look, progress: Progress) -> Answer | Failure | LeftOut:
     try:
         if given.fault is not None:
             raise given.fault
@@ -121,10 +156,8 @@ def _look(given: Input, look: Look, progress: Progress) -> Answer | Failure:
     except Exception as error:
         failure = explain(error)
         if given.doubtful and failure.type == "FormatError":
-            raise _NoRecordingError(failure.message) from error
+            return LeftOut(failure.message)
         return failure
-    finally:
-        progress.hide()
 
 
 def _print(
@@ -143,16 +176,16 @@ def _print(
         click.echo(as_line(document))
     elif isinstance(answer, Failure):
         click.echo(_line(given, "Error", answer.text, alone=alone), err=True)
-    else:
+    elif alone or not answer.silent:
         _show(given, answer, options, first=first, alone=alone)
     return document
 
 
 def _show(given: Input, answer: Answer, options: Options, *, first: bool, alone: bool) -> None:
     console = answer_console()
-    if not first:
+    if answer.headed and not first:
         console.print()
-    if not alone:
+    if answer.headed and not alone:
         console.print(given.shown, style="bold")
     answer.show(console)
     if not options.quiet:

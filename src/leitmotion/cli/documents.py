@@ -74,11 +74,11 @@ def as_line(document: Document) -> str:
     return json.dumps(document, allow_nan=False)
 
 
-def source_entry(given: Input, *, frames: int, rate: float) -> Document:
-    """Say what was read: the file as typed, its checksum, and how much of it."""
+def source_entry(given: Input, *, frames: int, rate: float, sha256: str = "") -> Document:
+    """Say what was read: the file as typed, its checksum (taken here where it is not known), and how much of it."""
     return {
         "path": given.shown,
-        "sha256": given.sha256(),
+        "sha256": sha256 or given.sha256(),
         "frames": frames,
         "rate": rounded(rate, significant=SIGNIFICANT),
         "seconds": round(frames / rate, SECONDS_DIGITS),

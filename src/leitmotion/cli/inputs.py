@@ -7,8 +7,8 @@ import hashlib
 import os
 import sys
 import tempfile
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from collections.abc import Collection, Iterator, Sequence, Set
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import IO, TYPE_CHECKING
 
@@ -37,6 +37,8 @@ class Input:
         Whether it was found in a folder and may be no recording at all.
     fault : LeitmotionError or None
         Why there is nothing to look at, known before reading.
+    folder : str
+        The folder or the archive that was named, where it was found in one.
     """
 
     shown: str
@@ -44,6 +46,7 @@ class Input:
     window: str = ""
     doubtful: bool = False
     fault: LeitmotionError | None = None
+    folder: str = ""
 
     @property
     def source(self) -> str:
@@ -72,7 +75,9 @@ class Input:
 
 
 @contextlib.contextmanager
-def expand(arguments: Sequence[str], extensions: Sequence[str]) -> Iterator[list[Input]]:
+def expand(
+    arguments: Sequence[str], extensions: Sequence[str], *, apart: Collection[Path] = ()
+) -> Iterator[list[Input]]:
     """Say which recordings the arguments of a command line mean, in the order given.
 
     Parameters
@@ -82,6 +87,8 @@ def expand(arguments: Sequence[str], extensions: Sequence[str]) -> Iterator[list
         without, or ``-``. Files that hold one recording together are one input, which one of them stands for.
     extensions : sequence of str
         The endings that a recording may have, lower case with the dot; what a folder is searched for.
+    apart : collection of Path
+        Files and folders that the search of a folder passes over.
 
     Yields
     ------
@@ -104,13 +111,15 @@ def expand(arguments: Sequence[str], extensions: Sequence[str]) -> Iterator[list
             elif is_archive(path):
                 inputs += _in_archive(path, window, argument)
             elif os.path.isdir(path):
-                inputs += _in_folder(path, window, argument, extensions)
+                inputs += _in_folder(path, window, argument, extensions, {each.resolve() for each in apart})
             else:
                 inputs.append(Input(argument, path, window))
         yield inputs
 
 
-def _in_folder(folder: Path, window: str, argument: str, extensions: Sequence[str]) -> list[Input]:
+def _in_folder(
+    folder: Path, window: str, argument: str, extensions: Sequence[str], apart: Set[Path]
+) -> list[Input]:
     from leitmotion.io.companions import clips_in, represented
     from leitmotion.io.containers import bare, is_doubtful
     from leitmotion.motion import DataError
@@ -119,11 +128,16 @@ def _in_folder(folder: Path, window: str, argument: str, extensions: Sequence[st
     unreadable: list[OSError] = []
     found: list[Path] = []
     for where, folders, names in os.walk(folder, onerror=unreadable.append):
-        folders[:] = sorted(name for name in folders if not name.startswith("."))
+        here = Path(where)
+        folders[:] = sorted(
+            name for name in folders if not name.startswith(".") and not _is_among(here / name, apart)
+        )
         found += [
-            Path(where) / name
+            here / name
             for name in sorted(names)
-            if not name.startswith(".") and bare(Path(name)).suffix.lower() in endings
+            if not name.startswith(".")
+            and bare(Path(name)).suffix.lower() in endings
+            and not _is_among(here / name, apart)
         ]
     others = represented(found)
     found = [path for path in found if path not in others]
@@ -132,9 +146,11 @@ def _in_folder(folder: Path, window: str, argument: str, extensions: Sequence[st
     inputs: list[Input] = []
     for path in found:
         if path.suffix.lower() == _ZIP:
-            inputs += [one for one in _in_archive(path, window, f"{path}{window}") if one.fault is None]
+            held = _in_archive(path, window, f"{path}{window}")
+            inputs += [replace(one, folder=str(folder)) for one in held if one.fault is None]
         else:
-            inputs.append(Input(f"{path}{window}", path, window, doubtful=is_doubtful(path)))
+            shown = f"{path}{window}"
+            inputs.append(Input(shown, path, window, doubtful=is_doubtful(path), folder=str(folder)))
     for error in unreadable:
         closed = Path(os.fsdecode(error.filename))
         inputs.append(Input(str(closed), closed, fault=DataError(f"{closed}: {error.strerror}.")))
@@ -161,10 +177,20 @@ def _in_archive(file: Path, window: str, argument: str) -> list[Input]:
         return [Input(argument, found[0], window)]
     called = Path("-") if argument.startswith("-") else file
     inputs = [
-        Input(f"{called / path.relative_to(file)}{window}", path, window, doubtful=is_doubtful(path))
+        Input(
+            f"{called / path.relative_to(file)}{window}",
+            path,
+            window,
+            doubtful=is_doubtful(path),
+            folder=str(file),
+        )
         for path in found
     ]
     return inputs or [Input(argument, file, window, fault=nothing_in(file))]
+
+
+def _is_among(path: Path, apart: Set[Path]) -> bool:
+    return bool(apart) and path.resolve() in apart
 
 
 @contextlib.contextmanager

@@ -104,7 +104,7 @@ def _names(ctx: click.Context, param: click.Parameter, value: tuple[str, ...]) -
     return tuple(name for names in named for name in names)
 
 
-def _unit(ctx: click.Context, param: click.Parameter, value: str | None) -> str | None:
+def known_unit(ctx: click.Context, param: click.Parameter, value: str | None) -> str | None:
     """Refuse what names no unit; whether pixels fit is for the recording to say."""
     if value is None:
         return None
@@ -127,13 +127,14 @@ def some(ctx: click.Context, param: click.Parameter, value: Any) -> Any:
     return value
 
 
-class _Positive(click.FloatRange):
+class Positive(click.FloatRange):
     """A number above 0 that is finite: a range alone lets NaN and infinity pass."""
 
     def __init__(self) -> None:
         super().__init__(min=0, min_open=True)
 
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
+        """Take a number, refuse any other."""
         number = super().convert(value, param, ctx)
         if not math.isfinite(number):
             self.fail(f"{value!r} is no finite number.", param, ctx)
@@ -159,7 +160,7 @@ _READING = (
     ),
     click.option(
         "--unit",
-        callback=_unit,
+        callback=known_unit,
         metavar="UNIT",
         help="Unit of length: m, cm, mm, inch, … when the file does not tell.",
     ),
@@ -170,7 +171,7 @@ _READING = (
         help="The axis that points up: x, y, z, -x, -y or -z, when the file does not tell.",
     ),
     click.option(
-        "--rate", type=_Positive(), metavar="HZ", help="Frames per second, when the file does not tell."
+        "--rate", type=Positive(), metavar="HZ", help="Frames per second, when the file does not tell."
     ),
     click.option(
         "--trust",
@@ -201,7 +202,7 @@ _SEARCHING = (
     ),
     click.option("--exclude", multiple=True, callback=_names, metavar="ROLES", help="Leave these roles out."),
     click.option(
-        "--min-duration", type=_Positive(), metavar="SECONDS", help="The shortest stretch that counts."
+        "--min-duration", type=Positive(), metavar="SECONDS", help="The shortest stretch that counts."
     ),
     click.option("--stillness", is_flag=True, help="Let a posture that is held again count as a pattern."),
 )
@@ -257,7 +258,9 @@ def common(*, searching: bool = True) -> Callable[[Callable[..., Any]], Callable
     return decorate
 
 
-def output(what: str, *, folder: bool = False) -> Callable[[Callable[..., Any]], Callable[..., Any]]:
+def output(
+    what: str, *, folder: bool = False, required: bool = False
+) -> Callable[[Callable[..., Any]], Callable[..., Any]]:
     """Give a command the option ``-o``.
 
     Parameters
@@ -266,9 +269,11 @@ def output(what: str, *, folder: bool = False) -> Callable[[Callable[..., Any]],
         What it says in the help.
     folder : bool
         Whether a folder will do.
+    required : bool
+        Whether it has to be given.
     """
     kind = click.Path(dir_okay=folder, path_type=Path)
-    return click.option("-o", "--output", type=kind, metavar="OUT", help=what)
+    return click.option("-o", "--output", type=kind, metavar="OUT", required=required, help=what)
 
 
 def examples(*lines: str) -> str:

@@ -45,7 +45,7 @@ def check_output(path: Path, inputs: Sequence[Input], *, endings: Sequence[str],
         raise click.UsageError(
             f"Cannot tell what to write from {path.name!r}: end it in {', '.join(endings)}."
         )
-    _check_place(path)
+    check_place(path)
     if not path.exists():
         return
     if path.is_dir():
@@ -56,7 +56,7 @@ def check_output(path: Path, inputs: Sequence[Input], *, endings: Sequence[str],
         raise click.UsageError(f"{path} exists, and Leitmotion did not write it. Replace it with --force.")
 
 
-def _check_place(path: Path) -> None:
+def check_place(path: Path) -> None:
     """Refuse a place where no file can be made, by making one in the folder that is there, and taking it away."""
     try:
         folder = next(folder for folder in path.parents if folder.exists())

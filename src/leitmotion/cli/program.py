@@ -25,6 +25,7 @@ from leitmotion.cli.failures import STOPPED, explain
 VERBS = {
     "demo": "Show what Leitmotion does, on a practice session or a recording.",
     "info": "Tell what a recording holds, and what is wrong with it.",
+    "convert": "Write recordings in another format, whole folders at once.",
     "patterns": "Find what recurs in a recording.",
     "report": "Write the page that shows what recurs.",
 }

@@ -60,6 +60,8 @@ class Progress:
     def step(self) -> None:
         """Tell that one input is done."""
         self._done += 1
+        if self._bar is not None:
+            self._bar.update(self._task, completed=self._done)
 
     def hide(self) -> None:
         """Clear the line, so that something else can be printed; the next word brings it back."""

@@ -15,10 +15,6 @@ if TYPE_CHECKING:
     from leitmotion.api import Body, Motion, Trajectories
 
 
-MISREAD = ("size", "up")
-"""The kinds of problems that tell of a unit or a vertical taken wrongly: all that is found then is in doubt."""
-
-
 class Opened(NamedTuple):
     """One person's recording, and what the answer says about where it comes from."""
 
@@ -65,16 +61,13 @@ def open_one(given: Input, options: Options, progress: Progress) -> Opened:
         )
     recording = reading.recordings[0]
     told = info(recording, body_map=options.map_entries())
-    misread = [
-        f"{problem.message} {problem.remedy}".rstrip() for problem in told.problems if problem.what in MISREAD
-    ]
     return Opened(
         recording=recording,
         body=embody(recording, told.roles),
         source=[source_entry(given, frames=len(recording), rate=recording.rate)],
         first_frame=0 if reading.window is None else reading.window[0],
         parameters=reading_parameters(options.reading, reading.window),
-        warnings=[*reading.warnings, *misread, *unused_skeleton(options, reading.findings)],
+        warnings=[*reading.warnings, *told.misread, *unused_skeleton(options, reading.findings)],
     )
 
 

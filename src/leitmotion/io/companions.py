@@ -9,6 +9,8 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Iterable
+from contextlib import suppress
+from os import PathLike
 from pathlib import Path
 
 from leitmotion.motion import FormatError
@@ -125,6 +127,32 @@ def partners(path: Path) -> list[Path]:
     if path.parent.name.lower() == kind:
         beside.append(path.parent.parent / _as_written(OTHER[kind], path.parent.name) / name)
     return beside
+
+
+def others_read(path: Path, skeleton: str | PathLike[str] | None = None) -> list[Path]:
+    """Say which other files of the disk are read with one: the rest of its clip, its other half, its skeleton.
+
+    Parameters
+    ----------
+    path : Path
+        A recording, or its address in an archive.
+    skeleton : str or path, optional
+        The skeleton that is given.
+
+    Returns
+    -------
+    list of Path
+        Those that are there, in a fixed order. What lies in the same archive is no other file.
+    """
+    from leitmotion.io.asf_search import find_asf
+    from leitmotion.io.containers import bare, on_disk
+
+    found = [*clip_files(path), *partners(path)]
+    if bare(path).suffix.lower() == ".amc":
+        with suppress(FormatError):
+            found.append(Path(skeleton) if skeleton is not None else find_asf(path)[0])
+    here = on_disk(path)
+    return [each for each in dict.fromkeys(map(on_disk, found)) if each != here and each.is_file()]
 
 
 def represented(paths: Iterable[Path]) -> set[Path]:

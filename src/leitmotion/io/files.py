@@ -114,7 +114,7 @@ def write_whole(path: str | PathLike[str], content: str | bytes) -> Path:
             raise FormatError(f"{path} cannot be written: it is {_SPECIAL}.", remedy="Choose another place.")
         path.parent.mkdir(parents=True, exist_ok=True)
         # not by tempfile, whose files are for their owner alone: this one gets the mode of any file that is made
-        beside = path.parent / f".{path.name}.{secrets.token_hex(8)}.part"
+        beside = path.parent / f".{path.name}.{os.getpid()}-{secrets.token_hex(8)}.part"
         handle = os.open(beside, os.O_WRONLY | os.O_CREAT | os.O_EXCL | getattr(os, "O_BINARY", 0), 0o666)
         temporary = str(beside)
         with os.fdopen(handle, "wb") as file:
@@ -134,6 +134,20 @@ def write_whole(path: str | PathLike[str], content: str | bytes) -> Path:
         _discard(temporary)
         raise
     return path
+
+
+def discard_parts(folder: Path, process: int) -> None:
+    """Remove what :func:`write_whole` left in a folder when its process was killed.
+
+    Parameters
+    ----------
+    folder : Path
+        Where the process wrote.
+    process : int
+        The number of the process, which is no more.
+    """
+    for left in folder.glob(f".*.{process}-*.part"):
+        _discard(str(left))
 
 
 def _discard(temporary: str) -> None:

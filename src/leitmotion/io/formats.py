@@ -49,15 +49,18 @@ class Format:
 
     def write(self, recording: Motion | Trajectories, **options: Any) -> bytes:
         """Make the bytes of a file of this format."""
-        write = _module(self.writer).write
-        known = [name for name, p in inspect.signature(write).parameters.items() if p.kind is p.KEYWORD_ONLY]
-        unknown = sorted(set(options) - set(known))
+        unknown = sorted(set(options) - set(self.options))
         if unknown:
-            raise ParameterError(
-                f"{self.name} files have the options {', '.join(known) or 'none'}, got {', '.join(unknown)}."
-            )
-        content: bytes = write(recording, **options)
+            known = ", ".join(self.options) or "none"
+            raise ParameterError(f"{self.name} files have the options {known}, got {', '.join(unknown)}.")
+        content: bytes = _module(self.writer).write(recording, **options)
         return content
+
+    @property
+    def options(self) -> dict[str, Any]:
+        """What its writer takes beside the recording, by name, with the defaults."""
+        parameters = inspect.signature(_module(self.writer).write).parameters
+        return {name: p.default for name, p in parameters.items() if p.kind is p.KEYWORD_ONLY}
 
 
 def _module(name: str) -> Any:

@@ -17,7 +17,7 @@ from leitmotion.motion.errors import ParameterError
 from leitmotion.motion.motion import Motion
 from leitmotion.motion.trajectories import Trajectories
 
-R = TypeVar("R", Motion, Trajectories)
+R = TypeVar("R", Motion, Trajectories, Motion | Trajectories)
 
 _SNAP = 1e-6  # how near a frame, in frames, a moment is taken to be that frame
 

@@ -1,0 +1,258 @@
+"""From one format to another: read, resampled where asked, made anew, and compared with what was read.
+
+A conversion is two steps: :func:`prepare` makes the bytes and tells what the format does not keep; :func:`convert`
+writes them as well, and never over an input or over what something else wrote.
+"""
+
+from __future__ import annotations
+
+import unicodedata
+from collections.abc import Mapping
+from dataclasses import dataclass
+from os import PathLike
+from pathlib import Path
+from typing import Any
+
+from leitmotion.body import BodyMap
+from leitmotion.inspection import info
+from leitmotion.io import open_recording, write_whole
+from leitmotion.io.containers import on_disk
+from leitmotion.io.fidelity import Change, losses
+from leitmotion.io.formats import Format, writable
+from leitmotion.io.sources import split_window
+from leitmotion.motion import DataError, Motion, ParameterError, Trajectories, resample
+
+Roles = BodyMap | Mapping[str, str | list[str]]
+
+
+@dataclass(frozen=True)
+class Prepared:
+    """What a recording is in another format, before it is written."""
+
+    files: tuple[tuple[str, bytes], ...]
+    """A file's content for each person, with the person's name where there are several."""
+
+    changes: tuple[Change, ...]
+    """What the format does not keep, and what was changed on the way."""
+
+    warnings: tuple[str, ...]
+    """What is odd about the source."""
+
+    frames: int
+    """How many frames were read."""
+
+    rate: float
+    """How many of them make a second."""
+
+    window: tuple[int, int] | None = None
+    """Which frames of the source these are, None for all."""
+
+    skeleton: str = ""
+    """The other file from which the skeleton came."""
+
+
+@dataclass(frozen=True)
+class Converted:
+    """What became of a recording in another format."""
+
+    written: tuple[Path, ...]
+    """The files, one a person."""
+
+    changes: tuple[Change, ...]
+    """What the format does not keep, and what was changed on the way."""
+
+    warnings: tuple[str, ...]
+    """What is odd about the source."""
+
+
+def convert(
+    source: str | PathLike[str], path: str | PathLike[str], *, force: bool = False, **options: Any
+) -> Converted:
+    """Convert a file to another format, which the extension of the new one names.
+
+    Parameters
+    ----------
+    source : str or path
+        A file, or a file and a window: ``"clip.bvh[2s:5s]"``.
+    path : str or path
+        The file to write; of several people one each: ``clip.c3d`` becomes ``clip.ANNA.c3d``, ``clip.BEN.c3d``.
+    force : bool
+        Whether a file of other content that is there may be replaced. The source never is.
+    **options
+        As for :func:`prepare`: `skeleton`, `unit`, `up`, `rate`, `person`, `trust` and `body_map` say how to read,
+        `fps` and `out_unit` how to write.
+
+    Returns
+    -------
+    Converted
+        The files, what the format does not keep, and what is odd about the source.
+
+    Raises
+    ------
+    FormatError
+        When the source is not what its format says, or the new file cannot be written.
+    DataError
+        When a file of other content is there.
+    ParameterError
+        When the format does not hold such a recording, or an option is unknown.
+
+    Examples
+    --------
+    >>> import leitmotion as lm
+    >>> lm.write(lm.compose_session(rate=30).motion, "dance.bvh")
+    PosixPath('dance.bvh')
+    >>> made = lm.convert("dance.bvh", "slow.bvh", fps=10, out_unit="m")
+    >>> made.written, made.changes[0].detail
+    ((PosixPath('slow.bvh'),), 'Resampled from 30 Hz to 10 Hz.')
+    """
+    path = Path(path)
+    prepared = prepare(source, path.suffix, **options)
+    named = [(name_of(path, person), content) for person, content in prepared.files]
+    for target, content in named:
+        if is_same(target, split_window(source)[0]):
+            raise ParameterError(f"{target} is the input, and inputs are never written over.")
+        if not force and target.exists() and not holds(target, content):
+            raise DataError(f"{target} is there with other content.", remedy="Replace it with force=True.")
+    written = tuple(write_whole(target, content) for target, content in named)
+    return Converted(written, prepared.changes, prepared.warnings)
+
+
+def prepare(
+    source: str | PathLike[str],
+    extension: str,
+    *,
+    skeleton: str | PathLike[str] | None = None,
+    unit: str | float | None = None,
+    up: str | None = None,
+    rate: float | None = None,
+    person: str | int | None = None,
+    trust: bool = False,
+    body_map: Roles | None = None,
+    fps: float | None = None,
+    out_unit: str | float | None = None,
+) -> Prepared:
+    """Make what a file is in another format, without writing it.
+
+    Parameters
+    ----------
+    source : str or path
+        A file, or a file and a window.
+    extension : str
+        The format, by its extension: ``".bvh"``.
+    skeleton, unit, up, rate, person, trust
+        How to read, as for :func:`leitmotion.read`; of several people each is converted unless `person` chooses.
+    body_map : BodyMap or mapping of str, optional
+        Which joints or markers stand for which role, by which size and vertical are looked at for a misreading.
+    fps : float, optional
+        Frames per second to write; else those of the source.
+    out_unit : str or float, optional
+        Unit of length to write, for formats that leave it open; else the format's usual one.
+
+    Returns
+    -------
+    Prepared
+        The content of the files, what the format does not keep, and what is odd about the source.
+
+    Raises
+    ------
+    FormatError
+        When the source is not what its format says.
+    ParameterError
+        When the extension is not written, or the format does not hold such a recording.
+    """
+    extension = f".{extension.removeprefix('.').lower()}"
+    form = form_of(extension)
+    options: dict[str, Any] = {} if out_unit is None else {"unit": out_unit}
+    reading = open_recording(
+        source, skeleton=skeleton, unit=unit, up=up, rate=rate, person=person, trust=trust
+    )
+    files, warnings = [], list(reading.warnings)
+    changes: dict[Change, None] = {}  # of several people each is told once
+    for who, recording in zip(reading.people, reading.recordings, strict=True):
+        warnings += _misread(recording, body_map)
+        wanted = recording if fps is None else resample(recording, fps)
+        content = form.write(wanted, **options)
+        changes |= dict.fromkeys(_resampled(recording, wanted))
+        written_unit = options.get("unit", form.options.get("unit"))
+        changes |= dict.fromkeys(losses(wanted, content, extension, unit=written_unit))
+        files.append((who if len(reading.people) > 1 else "", content))
+    first = reading.recordings[0]
+    beside = reading.findings.get("skeleton")
+    return Prepared(
+        files=tuple(files),
+        changes=tuple(changes),
+        warnings=tuple(dict.fromkeys(warnings)),
+        frames=len(first),
+        rate=first.rate,
+        window=reading.window,
+        skeleton="" if beside is None else str(beside.value),
+    )
+
+
+def form_of(extension: str) -> Format:
+    """Tell the format that an extension names.
+
+    Parameters
+    ----------
+    extension : str
+        In lower case, with the dot: ``".bvh"``.
+
+    Returns
+    -------
+    Format
+        One that is written.
+
+    Raises
+    ------
+    ParameterError
+        When no format that is written has it.
+    """
+    forms = writable()
+    form = forms.get(extension)
+    if form is None:
+        raise ParameterError(
+            f"Recordings are written as {', '.join(forms)}, got {extension!r}.",
+            remedy="Choose one of these extensions.",
+        )
+    return form
+
+
+def name_of(path: Path, person: str) -> Path:
+    """Name the file of one of several people; of a single one it is the path itself.
+
+    Examples
+    --------
+    >>> name_of(Path("duo.c3d"), "Anna: lead").name
+    'duo.Anna_ lead.c3d'
+    """
+    if not person:
+        return path
+    spoken = unicodedata.normalize("NFC", person)
+    safe = "".join(mark if mark.isprintable() and mark not in '<>:"/\\|?*' else "_" for mark in spoken)
+    return path.with_name(f"{path.stem}.{safe.strip(' .') or '_'}{path.suffix}")
+
+
+def is_same(target: Path, source: Path) -> bool:
+    """Tell whether a place to write to is the file, or the archive, that is read."""
+    source = on_disk(source)
+    return target.exists() and source.exists() and target.samefile(source)
+
+
+def holds(path: Path, content: bytes) -> bool:
+    """Tell whether a file holds exactly these bytes."""
+    return path.is_file() and path.stat().st_size == len(content) and path.read_bytes() == content
+
+
+def _misread(recording: Motion | Trajectories, body_map: Roles | None) -> tuple[str, ...]:
+    """What tells of a unit or a vertical taken wrongly; what is no body tells nothing, and is converted as well."""
+    try:
+        return info(recording, body_map=body_map).misread
+    except DataError:
+        return ()
+
+
+def _resampled(before: Motion | Trajectories, after: Motion | Trajectories) -> tuple[Change, ...]:
+    if before.rate == after.rate:
+        return ()
+    how = f"Resampled from {before.rate:.9g} Hz to {after.rate:.9g} Hz."
+    return (Change("rate", "", len(after), how),)
