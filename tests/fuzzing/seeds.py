@@ -104,6 +104,19 @@ def plane() -> Files:
     return {"clip.csv": ("time;A_x;A_y;B_x;B_y\n" + "".join(rows)).encode()}
 
 
+def long_table() -> Files:
+    """A row a point."""
+    rows = [f"{k},{who},{k}.5,1.{k},,0.{k}\n" for k in range(6) for who in ("HEAD", "LANK")]
+    return {"clip.csv": ("frame,name,x,y,z,confidence\n" + "".join(rows)).encode()}
+
+
+def opensim_points() -> Files:
+    """Two bodies' places."""
+    rows = [f"{k / 50}\t1\t2\t3\t4\t5\t{k}\n" for k in range(6)]
+    head = "Positions\nversion=1\nendheader\ntime\ta_X\ta_Y\ta_Z\tb_X\tb_Y\tb_Z\n"
+    return {"clip.sto": (head + "".join(rows)).encode()}
+
+
 def opensim() -> Files:
     """Four coordinates of a body."""
     head = "Coordinates\nversion=1\nnRows=6\nnColumns=5\ninDegrees=yes\nendheader\n"
@@ -258,6 +271,8 @@ SEEDS: dict[str, Callable[[], Files]] = {
     "C3D of whole numbers": c3d_whole,
     "TRC": trc,
     "OpenSim MOT": opensim,
+    "OpenSim MOT of points": opensim_points,
+    "table of rows a point": long_table,
     "Qualisys TSV": qualisys,
     "UI-PRMD": uiprmd,
     "Kinect table": kinect,

@@ -71,6 +71,8 @@ def test_frames_of_another_rate_give_way_to_seconds(tmp_path):
 @pytest.mark.parametrize(
     ("name", "text", "match"),
     [
+        ("a.csv", '""\n', "expected a table of stretches, found empty lines"),
+        ("a.csv", 'start,stop,label\n0,1,"' + "x" * 200_000, "found that a cell does not end"),
         ("a.csv", "from,to\n1,2\n", "line 1: expected the columns start, stop"),
         ("a.csv", "start,stop,label\n1,x,a\n", "line 2: expected a number as stop, found 'x'"),
         ("a.csv", "start,stop,label\n5,,a\n", "line 2: expected start and stop"),

@@ -194,6 +194,7 @@ def test_older_files_count_in_frames_of_a_video(tmp_path, unit, stop):
         ("<ANNOTATION_DOCUMENT>", "line 1: expected XML, found that it breaks there"),
         ("start,stop,label\n", "line 1: expected XML, found that it breaks there"),
         (b"\xff\xfe\x00", "expected XML"),
+        ('<?xml version="1.0" encoding="UTF-99"?><a/>', "expected XML in a known encoding"),
         (eaf({}, header='TIME_UNITS="weeks"'), "times in milliseconds, found 'weeks'"),
         (eaf({}, {"ts1": "soon"}), "whole number as TIME_VALUE, found 'soon'"),
         (eaf({}, {"ts1": "9" * 5000}), "whole number as TIME_VALUE"),

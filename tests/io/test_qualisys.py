@@ -107,6 +107,13 @@ def test_faults_are_one_sentence(tmp_path, old, new, match):
         read(tmp_path, export().replace(old, new))
 
 
+def test_odd_headers(tmp_path):
+    assert read(tmp_path, export(HEADER.replace("FRAMES\t3", "FRAMES\t²"))).warnings == ()
+    narrow = export(heading=f"Frame\tTime\t{AXES}\n")  # names more columns than the rows have
+    with pytest.raises(FormatError, match="line 10: expected 8 cells in a row, found 6 at most"):
+        read(tmp_path, narrow)
+
+
 def test_a_rate_given_serves_where_none_is_stated(tmp_path):
     reading = read(tmp_path, export(HEADER.replace("\t50\n", "\tEXT\n")), rate=25)
     assert reading.findings["rate"].how == "given"

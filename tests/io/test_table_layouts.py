@@ -74,6 +74,7 @@ def test_what_motive_expects_gives_way_to_what_it_saw(tmp_path):
         ("Position", "Mean Marker Error", "expected positions of markers, rigid bodies or bones, found none"),
         ("Frame,Time", "Image,Time", "one that begins with Frame, found none"),
         ("1.5,2.5", "x,2.5", "line 9: expected a number, found 'x'"),
+        (",Name,Hat", ',Name,"Hat"\x00"', "NUL bytes"),
     ],
 )
 def test_faults_of_a_motive_csv_are_one_sentence(tmp_path, old, new, match):

@@ -291,6 +291,8 @@ def _from_csv(text: str, rate: float, path: Path) -> list[Row]:
         raise FormatError(
             f"{path.name}: expected a table, found that a cell does not end ({error})."
         ) from None
+    if not lines:
+        raise FormatError(f"{path.name}: expected a table of stretches, found empty lines.")
     ours = lines[0][1] == list(_COLUMNS)
     header = [cell.strip().lower() for cell in lines[0][1]]
     names = [_ALIASES.get(word, word) for word in header]

@@ -56,9 +56,8 @@ def eaf_of(segmentation: Segmentation, *, tier: str = "labels", media: str | Pat
                 f"An EAF holds printable text, got {word!r:.60}.", remedy="Change this label."
             )
     order = sorted(range(len(segmentation)), key=lambda k: (segmentation.starts[k], segmentation.stops[k]))
-    milliseconds = 1000.0 / segmentation.rate
-    starts = [round(float(segmentation.starts[k]) * milliseconds) for k in order]
-    stops = [round(float(segmentation.stops[k]) * milliseconds) for k in order]
+    starts = [round(float(segmentation.starts[k]) * 1000 / segmentation.rate) for k in order]
+    stops = [round(float(segmentation.stops[k]) * 1000 / segmentation.rate) for k in order]
     times = [(start, max(stop, start + 1)) for start, stop in zip(starts, stops)]
     slots = sorted((time, 2 * n + last) for n, pair in enumerate(times) for last, time in enumerate(pair))
     named = {which: f"ts{k}" for k, (_, which) in enumerate(slots, 1)}

@@ -92,6 +92,6 @@ def parse(content: bytes, path: Path) -> Element:
         ) from None
     except FormatError:
         raise
-    except ValueError:  # an encoding that nobody knows
+    except (ValueError, LookupError):  # an encoding that nobody knows
         raise FormatError(f"{path.name}: expected XML in a known encoding, found another.") from None
     return top.children[0]

@@ -17,6 +17,7 @@ from leitmotion.io.reading import Draft, Finding, Source, glimpse
 from leitmotion.io.timing import Timing, read_times
 
 _HELD = {"6D": "rigid bodies", "2D": "what each camera saw"}
+_BEFORE = ("frame", "time")
 _EXPORT = "Export the 3D data of the trajectories: TSV Export, 3D."
 
 
@@ -55,7 +56,11 @@ def read(source: Source) -> Draft:
     names = [name for name in facts.get("MARKER_NAMES", []) if name]
     if not names:
         raise source.error("expected names of markers after MARKER_NAMES, found none.", remedy=_EXPORT)
-    columns = max(3 * len(names), widest_row(source.content[start:], "\t"))
+    named = sum(cell.lower() in _BEFORE for cell in heading[:2])
+    columns = widest_row(source.content[start:], "\t")
+    if source.content[start:].strip() and columns < named + 3 * len(names):
+        raise source.fault(start, f"{named + 3 * len(names)} cells in a row", f"{columns} at most")
+    columns = max(columns, named + 3 * len(names))
     rows = read_rows(source, start, columns, delimiter="\t", missing=True)
     if len(rows.values) == 0:
         raise source.error("expected a row a frame after the header, found none.")
@@ -98,9 +103,7 @@ def _header(source: Source) -> tuple[dict[str, list[str]], list[str], int]:
         word, *values = (cell.strip() for cell in line.split("\t"))
         if re.fullmatch(r"[A-Z][A-Z0-9_]+", word):
             facts.setdefault(word, values)
-        elif word.lower() in ("frame", "time") or any(
-            re.fullmatch(r".+ [XYZ]", cell) for cell in [word, *values]
-        ):
+        elif word.lower() in _BEFORE or any(re.fullmatch(r".+ [XYZ]", cell) for cell in [word, *values]):
             return facts, [word, *values], stop + 1
         elif line.strip():
             return facts, [], position
@@ -113,7 +116,7 @@ def _columns_before(
 ) -> int:
     """How many columns, frame and time, stand before the markers."""
     if heading:
-        return sum(cell.lower() in ("frame", "time") for cell in heading[:2])
+        return sum(cell.lower() in _BEFORE for cell in heading[:2])
     spare = values.shape[1] - coordinates
     if spare % 2 == 1 and not np.isfinite(values[:, -1]).any():  # rows that end in a tab
         spare -= 1
