@@ -5,7 +5,8 @@ import pytest
 
 from leitmotion import io
 from leitmotion.io.conform import conform
-from leitmotion.io.judge import contradict_up, judge_unit, judge_up, look
+from leitmotion.io.judge import contradict_up, judge_up, look
+from leitmotion.io.judge_unit import judge_unit
 from leitmotion.io.reading import Draft, Finding, Options, PointTake, SkeletonTake
 from leitmotion.motion import Trajectories, rotations
 

@@ -7,14 +7,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from leitmotion.io.judge import (
-    contradict_up,
-    doubt_unit,
-    judge_unit,
-    judge_up,
-    look,
-    makes_an_adult,
-)
+from leitmotion.io.judge import contradict_up, judge_up, look
+from leitmotion.io.judge_unit import doubt_unit, judge_unit, makes_an_adult
 from leitmotion.io.points import FARTHEST
 from leitmotion.io.reading import Draft, Finding, Options, PointTake, SkeletonTake, Source
 from leitmotion.io.units import METRES, unit_in_metres
