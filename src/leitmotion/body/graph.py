@@ -12,7 +12,8 @@ import numpy as np
 
 from leitmotion.motion import Motion, Skeleton, Trajectories
 
-STIFF = 0.1  # of its length: by how much a bone may stretch between the 5th and the 95th percentile
+STRETCH = 0.12  # of the body's extent: by how much a bone of a tree may stretch, 5th to 95th percentile
+STIFF = 0.1  # of a distance: how far it may deviate and still be a bone between points
 TOGETHER = 0.005  # of the body's extent: points that are never farther apart are one place
 CHANGES = 2.0  # times the noise: a distance that deviates so much is taken for twice its length
 FINEST = 1e-4  # of the largest distance: noise of what has none
@@ -83,7 +84,8 @@ def graph_of(recording: Motion | Trajectories, positions: np.ndarray) -> Graph |
         return None
     together = TOGETHER * extent
     if isinstance(recording, Motion):
-        pairs = [pair for pair in _bones_of(recording.skeleton) if _is_stiff(positions, pair, together)]
+        most = STRETCH * extent
+        pairs = [pair for pair in _bones_of(recording.skeleton) if _stretch(positions, pair) <= most]
     else:
         pairs = _spanning_tree(positions, often)
     return _joined(positions, pairs, together, rooted)
@@ -122,13 +124,11 @@ def _spanning_tree(positions: np.ndarray, kept: np.ndarray) -> list[tuple[int, i
     return pairs
 
 
-def _is_stiff(positions: np.ndarray, pair: tuple[int, int], together: float) -> bool:
+def _stretch(positions: np.ndarray, pair: tuple[int, int]) -> float:
+    """How far the length of a bone usually changes."""
     length = np.linalg.norm(positions[:, pair[0]] - positions[:, pair[1]], axis=1)
-    length = length[np.isfinite(length)]
-    if not len(length):
-        return False
-    low, middle, high = np.percentile(length, (5, 50, 95))
-    return bool(high - low <= STIFF * middle + together)
+    low, high = np.percentile(length, (5, 95))
+    return float(high - low)
 
 
 def _joined(
@@ -183,12 +183,9 @@ def _joined(
 
 
 def _extent(positions: np.ndarray) -> float:
-    """The largest extent of the points in a usual frame."""
-    if not positions.shape[1]:
+    """How large a body usually is along its longest axis, but for the few points farthest out: they may be no part."""
+    whole = positions[np.isfinite(positions).all(axis=(1, 2))]
+    if not whole.size:
         return 0.0
-    seen = np.isfinite(positions)
-    high = np.where(seen, positions, -np.inf).max(axis=1)
-    low = np.where(seen, positions, np.inf).min(axis=1)
-    extent = (high - low).max(axis=1)
-    extent = extent[np.isfinite(extent)]
-    return float(np.median(extent)) if len(extent) else 0.0
+    low, high = np.percentile(whole, (5, 95), axis=1)
+    return float(np.median((high - low).max(axis=1)))

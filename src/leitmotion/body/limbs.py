@@ -28,6 +28,7 @@ SHOULDERS = BREADTH["left_shoulder", "right_shoulder"]
 ENDS = 7  # of the tree that are tried as hands and feet, those that reach out farthest
 SHORTEST = 0.06  # of the longest way through the tree: how far an end must reach out
 STRAIGHT = 0.03  # by how much the way over joints between may exceed the straight line and still be one bone
+BENDS = 0.9  # of the moments in which it does not: who bends a joint does so in more of them
 SKIPPED = 0.8  # what a joint that a leg's bone passes over leaves of its length
 PASSED = 0.25  # what a joint costs that an arm's bone passes over
 NARROWEST = 0.05  # of the usual breadth: shoulders that are nearer to each other cost no more
@@ -102,10 +103,13 @@ class _Paths:
         self.depth = np.zeros(len(graph.above))
         for place in range(1, len(graph.above)):
             self.depth[place] = self.depth[graph.above[place]] + graph.lengths[place]
-        gaps = np.linalg.norm(graph.positions[:, :, None] - graph.positions[:, None], axis=3)
-        seen = np.isfinite(gaps).sum(axis=0)
-        low = np.take_along_axis(np.sort(gaps, axis=0), (seen // 10)[None] % len(gaps), axis=0)[0]
-        self._apart = np.where(seen > 0, low, 0.0).tolist()
+        self._gaps = np.linalg.norm(graph.positions[:, :, None] - graph.positions[:, None], axis=3)
+        seen = np.isfinite(self._gaps).sum(axis=0)
+        middle = np.maximum(seen - 1, 0)[None] // 2
+        usual = np.take_along_axis(np.sort(self._gaps, axis=0), middle, axis=0)[
+            0
+        ]  # what is unseen sorts last
+        self._apart = np.where(seen > 0, usual, 0.0).tolist()
         self._ways: dict[tuple[int, int], list[int]] = {}
         self._legs: dict[tuple[int, int], Limb | None] = {}
         self._triples: dict[tuple[int, int], list[Limb]] = {}
@@ -122,7 +126,7 @@ class _Paths:
         return float(sum(abs(self.depth[a] - self.depth[b]) for a, b in pairwise(path)))
 
     def apart(self, a: int, b: int) -> float:
-        """Distance when near: the 10th percentile, so that a bent joint shows."""
+        """Usual distance, 0 of such as are never seen together."""
         return float(self._apart[a][b])
 
     def triples(self, start: int, end: int) -> list[Limb]:
@@ -130,11 +134,7 @@ class _Paths:
         key = (start, end)
         if key not in self._triples:
             path = self.way(start, end)
-            bones = {}
-            for i, j in combinations(range(len(path)), 2):
-                along = self.length(path[i : j + 1])
-                if j == i + 1 or along - self.apart(path[i], path[j]) <= STRAIGHT * along:
-                    bones[i, j] = along
+            bones = self._bones(path)
             self._triples[key] = [
                 Limb((path[i], path[j], path[k]), bones[i, j], bones[j, k], k - i - 2)
                 for i, j in bones
@@ -142,6 +142,23 @@ class _Paths:
                 if (j, k) in bones and bones[i, j] > 0 and bones[j, k] > 0
             ]
         return self._triples[key]
+
+    def _bones(self, path: list[int]) -> dict[tuple[int, int], float]:
+        """Measure what may be a bone between two places of a way: one that is, or over others that are in line."""
+        gaps = self._gaps[:, path][:, :, path]
+        gaps = gaps[np.isfinite(gaps).all(axis=(1, 2))]
+        if not len(gaps):
+            return {}
+        steps = np.diagonal(gaps, offset=1, axis1=1, axis2=2)
+        along = np.concatenate((np.zeros((len(gaps), 1)), np.cumsum(steps, axis=1)), axis=1)
+        ways = along[:, None] - along[:, :, None]
+        most = np.sort(ways - gaps, axis=0)[int(BENDS * (len(gaps) - 1))]
+        usual = np.median(ways, axis=0)
+        return {
+            (i, j): float(usual[i, j])
+            for i, j in combinations(range(len(path)), 2)
+            if j == i + 1 or most[i, j] <= STRAIGHT * usual[i, j]
+        }
 
     def leg(self, start: int, end: int) -> Limb | None:
         """Find the two longest bones that follow each other."""
