@@ -131,6 +131,9 @@ FORMATS = (
     Format("NumPy array", (".npy",), "npy", lambda head: head.startswith(b"\x93NUMPY")),
     Format("NTU RGB+D", (".skeleton",), "ntu", lambda head: _module("ntu").looks(head), text=True),
     Format("poses", (".json",), "pose_json", lambda head: _module("pose_json").looks(head), text=True),
+    Format(
+        "joint-angle table", (".4d",), remedy="Angles alone make no body: read the AMC of the same trial."
+    ),
     Format("ASF", (".asf",), remedy="It holds a skeleton without motion: read the AMC that belongs to it."),
     Format("FBX", (".fbx",), remedy="Save it as BVH, for instance in Blender."),
     Format("glTF", (".gltf",), writer="gltf", remedy="Save it as BVH, for instance in Blender."),

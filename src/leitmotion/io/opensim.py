@@ -22,7 +22,7 @@ from leitmotion.io.timing import read_times
 _PLACE = re.compile(r"^(?P<name>.+?)[_.](?:t|p|trans)?(?P<axis>[xyz])$", re.IGNORECASE)
 _TURN = re.compile(r"_O[xyz]$", re.IGNORECASE)
 _STATE = re.compile(r"^/?(?:.*/)?([^/]+)/value$")
-_FORCE = re.compile(r"force|torque|moment|grf|_v[xyz]$|_m[xyz]$|cop", re.IGNORECASE)
+_FORCE = re.compile(r"force|torque|moment|grf|_v[xyz]$|_m[xyz]$|(?:^|_)cop(?:_|$)", re.IGNORECASE)
 _MOVING = re.compile(r"velocit|accelerat|speed", re.IGNORECASE)
 _COMPUTED = ("center_of_mass", "centre_of_mass")
 
