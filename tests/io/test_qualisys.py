@@ -46,10 +46,11 @@ def read(tmp_path, text, name="take.tsv", **options):
         export(rows=numbered(time=False)),
         export(HEADER.replace("\t50\n", "\tEXT\n"), f"Frame\tTime\t{AXES}\n", numbered(time=True)),
         export("FILE_VERSION\t2.0.0\n" + HEADER + "TRAJECTORY_TYPES\tMeasured\tMixed\n"),
+        export(HEADER.replace("DESCRIPTION\t--", "DESCRIPTION -- ").replace("\t3D\n", "\t3D \n")),
         export(HEADER + "EVENT\tStart\t1\t0.0\nEVENT\tStop\t3\t0.04\n"),
     ],
     ids=["plain", "crlf", "bom", "tab-at-end", "short-row", "named", "frame-time", "frame", "bare-frame-time",
-         "bare-frame", "external", "types", "events"],
+         "bare-frame", "external", "types", "blanks", "events"],
 )  # fmt: skip
 def test_spellings_of_one_export(tmp_path, text):
     reading = read(tmp_path, text)

@@ -70,6 +70,11 @@ def test_what_motive_expects_gives_way_to_what_it_saw(tmp_path):
 @pytest.mark.parametrize(
     ("old", "new", "match"),
     [
+        (
+            "Hat,Hat,Hat,Hat,Hat,Hat,Hat,M 1,M 1,M 1",
+            ",".join(["Unlabeled 7"] * 10),
+            "found none but unlabelled ones. Label",
+        ),
         ("Space,Global", "Space,Local", "found places in each parent's frame. Export it with"),
         ("Position", "Mean Marker Error", "expected positions of markers, rigid bodies or bones, found none"),
         ("Frame,Time", "Image,Time", "one that begins with Frame, found none"),

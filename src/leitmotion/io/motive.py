@@ -62,9 +62,10 @@ def read(source: Source) -> Draft:
         else:
             header.append(" ".join(word for word in (names[k], held[k].lower(), axis) if word))
     if not chosen:
+        unlabelled = " but unlabelled ones" if places else ""
         raise source.error(
-            "expected positions of markers, rigid bodies or bones, found none.",
-            remedy="Export the markers from Motive.",
+            f"expected positions of markers, rigid bodies or bones, found none{unlabelled}.",
+            remedy="Label the markers in Motive." if places else "Export the markers from Motive.",
         )
     stated = {
         "unit": facts.get("Length Units", ""),

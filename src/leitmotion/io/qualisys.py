@@ -101,7 +101,9 @@ def _header(source: Source) -> tuple[dict[str, list[str]], list[str], int]:
         stop = len(source.content) if stop < 0 else stop
         line = source.content[position:stop].decode("utf-8", "replace").lstrip("\ufeff").rstrip("\r")
         word, *values = (cell.strip() for cell in line.split("\t"))
-        if re.fullmatch(r"[A-Z][A-Z0-9_]+", word):
+        if re.fullmatch(
+            r"[A-Z][A-Z0-9_]+|DESCRIPTION .*", word
+        ):  # of which some programs write a blank for a tab
             facts.setdefault(word, values)
         elif word.lower() in _BEFORE or any(re.fullmatch(r".+ [XYZ]", cell) for cell in [word, *values]):
             return facts, [word, *values], stop + 1
