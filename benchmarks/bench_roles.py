@@ -112,7 +112,7 @@ def measure(recordings: list[Motion]) -> list[Row]:
         ]
         shares: dict[str, list[float]] = {group: [] for group in groups}
         unsure: dict[str, list[float]] = {group: [] for group in groups}
-        swapped = dict.fromkeys(groups, 0)
+        swapped, trusted = dict.fromkeys(groups, 0), {group: np.zeros(2) for group in groups}
         for (motion, truth), foot, walk in zip(whole, kept, walks, strict=True):
             group = "with feet" if foot else "walking 2 m" if walk else "neither"
             if group not in groups:
@@ -123,12 +123,17 @@ def measure(recordings: list[Motion]) -> list[Row]:
             seconds.append(time.process_time() - began)
             wanted = {role: place[joint] for role, joint in truth.items() if joint in place}
             shares[group].append(right(found, wanted, changed))
+            trusted[group] += believed(found, wanted, changed)
             sure, wrong = sides(found, wanted, changed)
             unsure[group].append(sure)
             swapped[group] += wrong
         for group in groups:
             if shares[group]:
                 line = f"{interval(shares[group])}; swapped and sure {swapped[group]}"
+                if trusted[group][1]:
+                    line += (
+                        f"; of what is said with more than 0.5 {trusted[group][0] / trusted[group][1]:.1%}"
+                    )
                 if group == "neither":
                     line += f"; highest confidence of a side {max(unsure[group]):.2f}"
                 table.append((f"{what}, {group}", line, f"roles right, {len(shares[group])} recordings"))
@@ -393,6 +398,16 @@ def right(found: BodyMap, wanted: dict[str, int], recording: Recording) -> float
     return float(
         np.mean([role in told and is_it(recording, told[role], point) for role, point in wanted.items()])
     )
+
+
+def believed(found: BodyMap, wanted: dict[str, int], recording: Recording) -> tuple[int, int]:
+    """How many roles of a confidence above 0.5 are right, and how many there are."""
+    sure = [
+        (role, members)
+        for role, members, confidence in zip(found.roles, found.members, found.confidence, strict=True)
+        if confidence > 0.5 and role in wanted
+    ]
+    return sum(is_it(recording, members, wanted[role]) for role, members in sure), len(sure)
 
 
 def sides(found: BodyMap, wanted: dict[str, int], recording: Recording) -> tuple[float, int]:

@@ -16,7 +16,7 @@ STRETCH = 0.12  # of the body's extent: by how much a bone of a tree may stretch
 STIFF = 0.1  # of a distance: how far it may deviate and still be a bone between points
 TOGETHER = 0.005  # of the body's extent: points that are never farther apart are one place
 CHANGES = 2.0  # times the noise: a distance that deviates so much is taken for twice its length
-FINEST = 1e-4  # of the largest distance: noise of what has none
+FINEST, COARSEST = 1e-4, 0.02  # of the largest distance: noise of what has none, and of what has no bones
 MOST = 200  # points: more are a cloud of markers
 SEEN = 0.5  # of the moments in which a point must be seen
 
@@ -109,6 +109,8 @@ def _spanning_tree(positions: np.ndarray, kept: np.ndarray) -> list[tuple[int, i
     deviation = np.sqrt(np.where(seen, (apart - mean) ** 2, 0.0).sum(axis=0) / count)
     others = deviation + np.where(np.eye(len(points), dtype=bool), np.inf, 0.0)
     noise = float(np.median(others.min(axis=1))) + FINEST * float(mean.max())
+    if noise > COARSEST * float(mean.max()):
+        return []
     cost = np.where(seen.any(axis=0), mean * (1.0 + (deviation / noise / CHANGES) ** 2), np.inf)
     nearest, price = np.zeros(len(points), dtype=int), cost[0].copy()
     joined = np.zeros(len(points), dtype=bool)
