@@ -430,10 +430,17 @@ def cheap(whole: list[tuple[Motion, dict[str, int]]]) -> list[Row]:
         float(np.mean([j < len(CMU_ORDER) and CMU_ORDER[j] == role for role, j in truth.items()]))
         for _, truth in whole
     ]
+    spoken = []
+    for motion, truth in whole:
+        changed, place = points(motion, truth, np.random.default_rng(len(motion)))
+        unseen = changed.replace(positions=np.full_like(changed.positions, np.nan))
+        spoken.append(
+            right(find_roles(unseen), {role: place[joint] for role, joint in truth.items()}, unseen)
+        )
     return [
         ("Cheap: any joint for any role", interval(chance), "roles right; one over the number of joints"),
         ("Cheap: the order of CMU's skeletons", interval(ordered), "roles right, in the files' own order"),
-        ("Cheap: names alone", "0 %", "names removed; before shape was looked at, no role was found"),
+        ("Cheap: names alone", interval(spoken), "names removed, the same recordings without any place"),
     ]
 
 

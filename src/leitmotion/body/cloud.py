@@ -10,8 +10,8 @@ from leitmotion.body.graph import Graph
 from leitmotion.body.limbs import Fit
 from leitmotion.body.look import typical
 
-BALL = 0.03  # of stature: how far from the ankle the ball of the foot is at least
-KNUCKLES = 0.035  # of stature: how far from the wrist the knuckles are at least
+BALL = (0.03, 0.2)  # of stature: how far from the ankle the ball of the foot is
+KNUCKLES = (0.035, 0.12)  # of stature: how far from the wrist the knuckles are; a stick reaches farther
 SKULL = 0.1  # of stature: about how far the base of the skull is from that of the neck, along the joints
 MIDDLE = 0.3  # of half the breadth of the shoulders: how far aside a point of the trunk is at most
 INNERMOST = 0.1  # of the same: how far aside a clavicle is at least
@@ -46,9 +46,10 @@ def beside_trunk(graph: Graph, fit: Fit, chosen: dict[str, int]) -> dict[str, in
     beyond: set[int] = set()
     for k, side in enumerate(("left", "right")):
         foot, hand = graph.path(roles[f"{side}_ankle"], fit.ends[k]), _way_to_hand(graph, chosen, side)
-        for role, way, least in (("toe", foot, BALL), ("hand", hand, KNUCKLES)):
+        for role, way, (least, most) in (("toe", foot, BALL), ("hand", hand, KNUCKLES)):
             far = [place for place in way[1:] if gap(graph.positions, way[0], place) >= least * fit.stature]
-            roles.update({f"{side}_{role}": place for place in far[:1]})
+            if far and gap(graph.positions, way[0], far[0]) <= most * fit.stature:
+                roles[f"{side}_{role}"] = far[0]
             beyond.update(way)
     free = [place for place in range(len(graph.members)) if place not in beyond | set(roles.values())]
     height, aside = _in_trunk(graph, chosen)

@@ -127,16 +127,16 @@ def _along_tree(
                 points[f"{side}_clavicle"] = held[0]
         if f"{side}_ankle" in points:
             way = graph.path(chosen[f"{side}_ankle"], fit.ends[k])[1:]
+            away = [gap(graph.positions, place, chosen[f"{side}_ankle"]) / fit.stature for place in way]
             toes = [
                 graph.members[place][0]
-                for place in way
-                if graph.members[place][0] < joints
-                and gap(graph.positions, place, chosen[f"{side}_ankle"]) >= BALL * fit.stature
+                for place, far in zip(way, away, strict=True)
+                if graph.members[place][0] < joints and BALL[0] <= far <= BALL[1]
             ]
             if toes:
                 points[f"{side}_toe"] = toes[0]
         if f"{side}_wrist" in points:
-            hand = _knuckles(skeleton, points[f"{side}_wrist"], positions, KNUCKLES * fit.stature)
+            hand = _knuckles(skeleton, points[f"{side}_wrist"], positions, fit.stature)
             if hand is not None:
                 points[f"{side}_hand"] = hand
     return points
@@ -157,15 +157,17 @@ def _to_first_fork(skeleton: Skeleton, line: list[int], arms: set[int]) -> list[
     return way[: forks[0] + 1] if forks else way
 
 
-def _knuckles(skeleton: Skeleton, wrist: int, positions: np.ndarray, least: float) -> int | None:
+def _knuckles(skeleton: Skeleton, wrist: int, positions: np.ndarray, stature: float) -> int | None:
     """Find the joint in the middle of the first ones that are not at the wrist any more, or that carries others."""
+    least, most = (share * stature for share in KNUCKLES)
     beside = [int(j) for j in np.flatnonzero(skeleton.parents == wrist)]
     first, waiting = [], list(beside)
     while waiting:
         joint = waiting.pop()
-        if gap(positions, wrist, joint) >= least:
+        away = gap(positions, wrist, joint)
+        if least <= away <= most:
             first.append(joint)
-        else:
+        elif away < least:
             waiting += [int(j) for j in np.flatnonzero(skeleton.parents == joint)]
     first = first or [joint for joint in beside if (skeleton.parents == joint).any()]
     if not first:
