@@ -14,8 +14,8 @@ import traceback
 from pathlib import Path
 from random import Random
 
-from fuzzing.law import check
-from fuzzing.seeds import SEEDS, SPOILED, cuts
+from fuzzing.law import check, check_labels
+from fuzzing.seeds import LABELS, SEEDS, SPOILED, cuts
 from fuzzing.spoil import spoil
 
 
@@ -30,7 +30,7 @@ def main() -> int:
     parser.add_argument("--keep", type=Path, default=Path("fuzz-found"))
     given = parser.parse_args()
     seed = given.seed if given.seed is not None else time.time_ns() % 1_000_000_007
-    seeds = {name: make() for name, make in SEEDS.items()}
+    seeds = {name: make() for name, make in (SEEDS | LABELS).items()}
     data = os.environ.get("LEITMOTION_DATA")
     if data:
         seeds |= cuts(Path(data))
@@ -45,7 +45,7 @@ def main() -> int:
         files = seeds[name] | {target: spoil(seeds[name][target], rng)}
         tried += 1
         try:
-            check(files)
+            (check_labels if name in LABELS else check)(files)
         except KeyboardInterrupt:
             break
         except BaseException as error:

@@ -6,13 +6,16 @@ import resource
 import signal
 import tempfile
 import warnings
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
+from typing import TypeVar
 
 import numpy as np
 
 from leitmotion import io
 from leitmotion.motion import LeitmotionError, Motion
+
+Held = TypeVar("Held")
 
 SECONDS = 5
 ROOM = 1 << 30  # bytes that one reading may take beyond what the process has
@@ -37,17 +40,9 @@ def check(files: Mapping[str, bytes]) -> None:
     AssertionError
         When it does not hold; any other exception is one that the reader let through.
     """
-    with tempfile.TemporaryDirectory(prefix="fuzz-") as folder:
-        deep = Path(folder) / "1" / "2" / "3"  # the search for a skeleton goes up to three folders up
-        deep.mkdir(parents=True)
-        path = put(deep, files)
-        with bounded(), warnings.catch_warnings(), np.errstate(over="warn", invalid="warn", divide="warn"):
-            warnings.simplefilter("error")
-            try:
-                reading = io.open_recording(path)
-            except LeitmotionError as error:
-                check_sentence(error)
-                return
+    reading = _read(files, io.open_recording)
+    if reading is None:
+        return
     assert reading.recordings
     for recording in reading.recordings:
         assert np.isfinite(recording.rate)
@@ -56,6 +51,27 @@ def check(files: Mapping[str, bytes]) -> None:
             assert not np.isinf(recording.positions).any()
     for warning in reading.warnings:
         check_line(warning)
+
+
+def check_labels(files: Mapping[str, bytes]) -> None:
+    """Read the labels that these files hold, and check what must hold; errors as of :func:`check`."""
+    labels = _read(files, lambda path: io.read_annotations(path, rate=120, trial="86_01", tier="*"))
+    assert labels is None or (labels.stops >= labels.starts).all()
+
+
+def _read(files: Mapping[str, bytes], read: Callable[[Path], Held]) -> Held | None:
+    """What a reader makes of these files within its bounds, None where it is a sentence."""
+    with tempfile.TemporaryDirectory(prefix="fuzz-") as folder:
+        deep = Path(folder) / "1" / "2" / "3"  # the search for a skeleton goes up to three folders up
+        deep.mkdir(parents=True)
+        path = put(deep, files)
+        with bounded(), warnings.catch_warnings(), np.errstate(over="warn", invalid="warn", divide="warn"):
+            warnings.simplefilter("error")
+            try:
+                return read(path)
+            except LeitmotionError as error:
+                check_sentence(error)
+                return None
 
 
 def check_sentence(error: LeitmotionError) -> None:

@@ -9,6 +9,7 @@ import gzip
 import io as streams
 import json
 import lzma
+import tempfile
 import zipfile
 from collections.abc import Callable, Iterator
 from functools import cache, partial
@@ -16,9 +17,9 @@ from pathlib import Path
 
 import numpy as np
 
-from leitmotion.io import bvh
+from leitmotion.io import bvh, write_annotations
 from leitmotion.io.formats import FORMATS, Format
-from leitmotion.motion import Motion, Skeleton, Trajectories, rotations
+from leitmotion.motion import Motion, Segmentation, Skeleton, Trajectories, rotations
 from oracles.c3d import DEC, INTEL, c3d_bytes
 
 Files = dict[str, bytes]
@@ -166,6 +167,48 @@ def deeplabcut() -> Files:
         "coords,x,y,likelihood,x,y,likelihood\n0,100,200,0.9,300,400,0.8\n1,101,201,0.9,301,401,0.2\n"
     )
     return {"clip.csv": text.encode()}
+
+
+def labels_csv() -> Files:
+    """Frames and seconds."""
+    return {
+        "labels.csv": b'start,stop,start_s,stop_s,label,score\n0,120,0,1,walk,0.9\n120,300,1,2.5,"a, b",\n'
+    }
+
+
+def labels_json() -> Files:
+    """What a search for patterns answers."""
+    stretch = {"start": 0, "stop": 120, "start_s": 0.0, "stop_s": 1.0, "label": "A", "score": None}
+    return {
+        "labels.json": json.dumps({"result": {"patterns": [{"id": "A", "occurrences": [stretch]}]}}).encode()
+    }
+
+
+def labels_aca() -> Files:
+    """Two trials of the annotation of CMU subject 86."""
+    return {"mocap.txt": b"86 01\nwalk 100 110 120\njump 300 310 320\n\n86 02\nwalk 90 95 99\n"}
+
+
+def labels_blocks() -> Files:
+    """One number a block, and the names beside."""
+    return {"13_29.txt": b"1\n1\n2\n2\n1\n", "action_names.csv": b"1,walk\n2,jump\n"}
+
+
+def labels_eaf() -> Files:
+    """What is written for ELAN."""
+    spans = Segmentation([0, 120], [120, 300], ("walk", "punch"), rate=120)
+    with tempfile.TemporaryDirectory() as folder:
+        return {"labels.eaf": write_annotations(spans, Path(folder) / "labels.eaf").read_bytes()}
+
+
+LABELS: dict[str, Callable[[], Files]] = {
+    "labels in CSV": labels_csv,
+    "labels in JSON": labels_json,
+    "labels of ACA": labels_aca,
+    "labels in blocks": labels_blocks,
+    "labels of ELAN": labels_eaf,
+}
+"""Labels instead of recordings."""
 
 
 def _table_of(columns: int, rows: int, delimiter: str) -> bytes:

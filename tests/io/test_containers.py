@@ -47,7 +47,7 @@ def test_what_is_compressed_reads_as_it_does_unpacked(tmp_path, seed, ending):
     assert reading.warnings == expected.warnings
 
 
-@pytest.mark.parametrize("seed", ONE)
+@pytest.mark.parametrize("seed", [*ONE, "poses of OpenPose", "UI-PRMD"])
 def test_what_is_zipped_reads_as_it_does_unpacked(tmp_path, seed):
     files = SEEDS[seed]()
     paths = [put(tmp_path, name, content) for name, content in files.items()]

@@ -9,8 +9,8 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from fuzzing.law import bounded, check, put
-from fuzzing.seeds import SEEDS, SPOILED, Files, cuts
+from fuzzing.law import bounded, check, check_labels, put
+from fuzzing.seeds import LABELS, SEEDS, SPOILED, Files, cuts
 from fuzzing.spoil import DAMAGES, spoil
 from leitmotion import io
 from leitmotion.io import formats
@@ -64,6 +64,13 @@ def test_a_spoiled_file_gives_a_recording_or_a_sentence(name, rng):
     check(spoiled(name, SEEDS[name](), rng))
 
 
+@pytest.mark.parametrize("name", LABELS)
+@QUICK
+@given(rng=st.randoms(use_true_random=False))
+def test_spoiled_labels_are_labels_or_a_sentence(name, rng):
+    check_labels(spoiled(name, LABELS[name](), rng))
+
+
 @pytest.mark.data
 def test_a_spoiled_real_recording_gives_a_recording_or_a_sentence(data):
     rng = Random(2008)
@@ -110,6 +117,8 @@ RUBBISH = {
 def test_rubbish_of_every_ending_gives_a_sentence(rubbish):
     for extension in [*io.EXTENSIONS, "", ".zip", ".gz"]:
         check({f"clip{extension}": RUBBISH[rubbish]})
+    for extension in (".csv", ".json", ".eaf", ".txt"):
+        check_labels({f"labels{extension}": RUBBISH[rubbish]})
 
 
 def test_every_damage_changes_something():

@@ -19,10 +19,11 @@ from typing import Any
 
 import numpy as np
 
+from leitmotion.io.containers import read_file
 from leitmotion.io.dataset_labels import Row, from_aca, from_blocks
 from leitmotion.io.elan import read_eaf
 from leitmotion.io.elan_writing import eaf_of
-from leitmotion.io.files import read_bytes, write_whole
+from leitmotion.io.files import write_whole
 from leitmotion.motion import FormatError, ParameterError, Segmentation
 
 _LAST = 2.0**53  # beyond it frames are no whole numbers
@@ -69,8 +70,7 @@ def read_annotations(
     ParameterError
         When the file holds several trials and `trial` is none of them, or several tiers and `tier` is none of them.
     """
-    path = Path(path)
-    content = read_bytes(path)
+    path, content = read_file(Path(path))
     if path.suffix.lower() == ".eaf":
         return _segmentation(_from_eaf(content, rate, tier, path), rate, frames, path)
     try:

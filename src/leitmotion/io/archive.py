@@ -25,7 +25,8 @@ from typing import Any
 
 import numpy as np
 
-from leitmotion.io.files import read_bytes, write_whole
+from leitmotion.io.containers import read_file
+from leitmotion.io.files import write_whole
 from leitmotion.io.reading import Draft, Finding, PointTake, SkeletonTake, Source
 from leitmotion.motion import FormatError, LeitmotionError, Motion, ParameterError, Trajectories
 from leitmotion.motion.noun import Noun
@@ -93,8 +94,8 @@ def load(path: str | PathLike[str]) -> Any:
     FormatError
         When the file is missing, damaged, no archive of ours, of a newer version or of an unknown type.
     """
-    path = Path(path)
-    return from_bytes(read_bytes(path), path.name)
+    path, content = read_file(Path(path))
+    return from_bytes(content, path.name)
 
 
 def to_bytes(noun: Any) -> bytes:

@@ -18,7 +18,9 @@ import zipfile
 import zlib
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from functools import lru_cache
 from pathlib import Path, PurePosixPath
+from typing import NamedTuple
 
 from leitmotion.io.companions import represented
 from leitmotion.io.files import LARGEST, read_bytes
@@ -214,11 +216,32 @@ def _the_one(file: Path) -> Path:
     )
 
 
+class _Archive(NamedTuple):
+    """An open zip archive, and the files in it by name."""
+
+    box: zipfile.ZipFile
+    members: dict[str, zipfile.ZipInfo]
+
+
+@lru_cache(maxsize=1)  # the frames of a clip may be thousands of members, and all are named in one place
+def _opened(file: Path, _version: tuple[int, ...]) -> _Archive:
+    box = zipfile.ZipFile(file)
+    members = {info.filename.replace("\\", "/"): info for info in box.infolist()}
+    for name in members:
+        if name.startswith("/") or ".." in name.split("/") or "\0" in name:
+            raise FormatError(
+                f"{file.name} names a file outside itself, {name!r}, and was not read.",
+                remedy="Get it from somewhere else.",
+            )
+    return _Archive(box, {name: info for name, info in members.items() if not _is_junk(name)})
+
+
 @contextmanager
-def _archive(file: Path) -> Iterator[zipfile.ZipFile]:
+def _archive(file: Path) -> Iterator[_Archive]:
+    """The archive, opened once for as long as the file and the process stay the same."""
     try:
-        with zipfile.ZipFile(file) as box:
-            yield box
+        facts = os.stat(file)
+        yield _opened(file, (facts.st_ino, facts.st_size, facts.st_mtime_ns, os.getpid()))
     except FormatError:
         raise
     except NotImplementedError as error:
@@ -232,23 +255,16 @@ def _archive(file: Path) -> Iterator[zipfile.ZipFile]:
         ) from None
 
 
-def _members(file: Path) -> dict[str, zipfile.ZipInfo]:
-    """The files in an archive by name, without what the system that packed it left there for itself."""
-    with _archive(file) as box:
-        infos = {info.filename.replace("\\", "/"): info for info in box.infolist()}
-    for name in infos:
-        if name.startswith("/") or ".." in name.split("/") or "\0" in name:
-            raise FormatError(
-                f"{file.name} names a file outside itself, {name!r}, and was not read.",
-                remedy="Get it from somewhere else.",
-            )
-    return {
-        name: info for name, info in infos.items() if name and not name.endswith("/") and not _is_junk(name)
-    }
-
-
 def _is_junk(name: str) -> bool:
-    return any(part.startswith(".") or part == "__MACOSX" for part in name.split("/"))
+    """Whether a member is a folder, or what the system that packed the archive left there for itself."""
+    return name.endswith("/") or any(
+        part.startswith(".") or part in ("", "__MACOSX") for part in name.split("/")
+    )
+
+
+def _members(file: Path) -> dict[str, zipfile.ZipInfo]:
+    with _archive(file) as archive:
+        return archive.members
 
 
 def _member(file: Path, inside: str) -> bytes:
@@ -263,7 +279,7 @@ def _member(file: Path, inside: str) -> bytes:
         )
     if info.flag_bits & 1:
         raise FormatError(f"{inside} in {file.name} is encrypted.", remedy="Unpack it first.")
-    with _archive(file) as box, box.open(info) as stream:
+    with _archive(file) as archive, archive.box.open(info) as stream:
         content = _joined(_pieces(stream.read), info.compress_size, inside)
         if len(content) != info.file_size:
             raise zipfile.BadZipFile(f"{inside} states {info.file_size} bytes and has {len(content)}")
