@@ -109,6 +109,12 @@ def test_names_with_blanks_colons_and_words_of_the_format(tmp_path, name):
     assert motion.skeleton.names[2] == name
 
 
+@pytest.mark.parametrize("encoding", ["latin-1", "utf-8", "utf-16"])
+def test_a_name_is_the_same_in_any_encoding(tmp_path, encoding):
+    motion = read(tmp_path, PLAIN.replace("LeftFoot", "linker Fuß").encode(encoding)).recordings[0]
+    assert motion.skeleton.names[2] == "linker Fuß"
+
+
 def test_positions_on_any_joint_in_any_place(tmp_path):
     text = (
         PLAIN.replace(

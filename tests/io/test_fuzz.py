@@ -1,6 +1,8 @@
 """Whatever is in a file: a recording or one sentence. ``tests/fuzz.py`` goes on for as long as one likes."""
 
+import io as streams
 import itertools
+import zipfile
 from collections.abc import Iterator
 from random import Random
 
@@ -10,7 +12,7 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from fuzzing.law import bounded, check, check_labels, put
-from fuzzing.seeds import LABELS, SEEDS, SPOILED, Files, cuts
+from fuzzing.seeds import LABELS, SEEDS, SPOILED, Files, amc, cuts, zipped
 from fuzzing.spoil import DAMAGES, spoil
 from leitmotion import io
 from leitmotion.io import formats
@@ -149,3 +151,62 @@ def test_the_law_catches_what_it_should(monkeypatch):
     assert fails_by(lambda _: [][0])
     assert fails_by(hang)
     assert fails_by(lambda _: np.ones(1 << 29))
+
+
+# --- what was found, each as small as it gets
+
+
+def archive(header: bytes) -> bytes:
+    """An archive of ours with another header."""
+    with zipfile.ZipFile(streams.BytesIO(SEEDS["archive of points"]()["clip.npz"])) as box:
+        members = {name: box.read(name) for name in box.namelist()}
+    return zipped(members | {"header.npy": header})
+
+
+def but(name: str, old: bytes, new: bytes, file: str = "") -> bytes:
+    """The file of a seed, something in it replaced."""
+    files = SEEDS[name]()
+    content = files[file or next(iter(files))]
+    assert old in content
+    return content.replace(old, new)
+
+
+AMC = amc()["s_01.amc"]
+SHAPE = b"(4, 22, 3)"
+FOUND = {
+    "a header that is no array": ("clip.npz", archive(b"rubbish")),
+    "a header without end": ("clip.npy", but("NumPy array", b"}", b"(")),
+    "a header of Python 2": ("clip.npy", but("NumPy array", SHAPE, b"(4L,22L,3)")),
+    "a size beyond all": ("clip.npy", but("NumPy array", SHAPE, b"(10**99,3)")),
+    "a magic that is none": ("clip.npy", but("NumPy array", b"NUMPY", b"NUMPa")),
+    "a member without a name": ("pack.zip", zipped({"": b"x", "clip.bvh": b"x"})),
+    "a frame time of nothing": ("clip.bvh", but("BVH of a skeleton", b"Time: 0", b"Time: 1e-320 ")),
+    "a root without an axis": ("s_01.amc", AMC, "s.asf", but("AMC", b"axis XYZ", b"axis", "s.asf")),
+    "a long direction": ("s_01.amc", AMC, "s.asf", but("AMC", b"0 1 0", b"0 1e300 0", "s.asf")),
+    "a count that is no digit": ("clip.trc", but("TRC", b"\t6\t2", "\t²\t2".encode())),
+    "a blank line first": ("clip.txt", b"\n1\n" + SEEDS["NTU RGB+D"]()["clip.skeleton"]),
+    "tracked by nothing": ("clip.skeleton", but("NTU RGB+D", b"0.9 2", b"0.9 nan")),
+    "a return within a cell": ("clip.csv", but("Nexus CSV", b"Ann:A", b"A\rA")),
+    "two lines of three": ("clip.csv", b"scorer,net\nbodyparts,nose\n"),
+    "a third of a point": ("clip.csv", but("table of points", b"LANK_z", b"LANK_w")),
+    "a place beyond all": ("clip.json", but("poses of AlphaPose", b"100.5", b"1e300")),
+    "the last byte missing": ("clip.npz", SEEDS["archive of points"]()["clip.npz"][:-1]),
+}
+
+
+@pytest.mark.parametrize("what", FOUND)
+def test_what_was_found(what):
+    parts = FOUND[what]
+    check(dict(zip(parts[::2], parts[1::2])))
+
+
+FOUND_IN_LABELS = {
+    "a mark and nothing": ("labels.csv", b"\xef\xbb\xbf"),
+    "an encoding of nobody": ("labels.eaf", b'<?xml version="1.0" encoding="UTF1000"?><A/>'),
+    "digits that are none": ("mocap.txt", "86 ²\nwalk 1 2 3\n".encode()),
+}
+
+
+@pytest.mark.parametrize("what", FOUND_IN_LABELS)
+def test_what_was_found_in_labels(what):
+    check_labels(dict([FOUND_IN_LABELS[what]]))
