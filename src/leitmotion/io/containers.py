@@ -151,7 +151,8 @@ def recordings_in(file: Path) -> list[Path]:
         When it is damaged, or a member's name leads out of it.
     """
     names = _members(file)
-    found = [name for name in names if bare(Path(name)).suffix.lower() in readable()]
+    endings = set(readable())
+    found = [name for name in names if bare(Path(name)).suffix.lower() in endings]
     if not found and len(names) == 1:
         found = list(names)
     paths = [file / name for name in sorted(found, key=lambda name: _order(PurePosixPath(name)))]
