@@ -328,6 +328,26 @@ def test_an_input_is_never_written_over(run: Run, src: Path) -> None:
     assert run("convert", "src/one.bvh", "-o", "same.bvh", "--force").exit_code == 2
 
 
+@pytest.mark.skipif(sys.platform != "linux", reason="names that only Linux lets a file have")
+def test_odd_names(run: Run, made: Path) -> None:
+    Path("src").mkdir()
+    good = (made / "once.bvh").read_bytes()
+    odd = [b"caf\xe9", b"n" * 245, b"new\nline", b"-dash", b"win[0:5]", b" blank ", b"a'\"b"]
+    for name in odd:
+        with open(b"src/" + name + b".bvh", "wb") as file:
+            file.write(good)
+    for form in ("npz", "bvh", "csv"):
+        told = run("convert", "src", "-o", form, "--to", form, "--json")
+        assert told.exit_code == 0, told.stdout
+        assert "7 skipped" in run("convert", "src", "-o", form, "--to", form).stdout
+        assert set(os.listdir(os.fsencode(form))) == {
+            os.fsencode(NAME), *(b"%b.%b" % (name, form.encode()) for name in odd)
+        }  # fmt: skip
+    told = run("convert", "src/-dash.bvh", "-o", f"{'n' * 260}.npz")
+    assert told.exit_code == 2
+    assert "too long" in told.stderr
+
+
 # --- wrong usage, before any work
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import contextlib
+import os
 import sys
 from collections import Counter
 from collections.abc import Generator, Sequence
@@ -152,7 +153,7 @@ def _is_file(out: Path) -> bool:
     """Whether OUT names a file of a format that is written, and no folder."""
     from leitmotion.io.formats import writable
 
-    return out.suffix.lower() in writable() and not out.is_dir()
+    return out.suffix.lower() in writable() and not os.path.isdir(out)
 
 
 def _targets(given: Sequence[Input], out: Path, extension: str, options: Options) -> Sequence[Path]:

@@ -59,10 +59,11 @@ def check_output(path: Path, inputs: Sequence[Input], *, endings: Sequence[str],
 def check_place(path: Path) -> None:
     """Refuse a place where no file can be made, by making one in the folder that is there, and taking it away."""
     try:
+        path.exists()  # raises for a name that is too long
         folder = next(folder for folder in path.parents if folder.exists())
         if not folder.is_dir():
             raise click.UsageError(f"{path} cannot be written: {folder} is a file, not a folder.")
-        with tempfile.NamedTemporaryFile(prefix=f".{path.name}.", suffix=".part", dir=folder):
+        with tempfile.NamedTemporaryFile(prefix=f".{path.name[:50]}.", suffix=".part", dir=folder):
             pass
     except OSError as error:
         raise click.UsageError(

@@ -17,6 +17,8 @@ _SPECIAL = "a device or a pipe"
 LARGEST = 4 << 30
 """Bytes of the largest file that is read."""
 
+_SHORT = 50  # letters of a name that a part bears: file systems take 255 bytes, and a letter has up to four
+
 
 def read_bytes(path: Path) -> bytes:
     """Read a whole file, or say in one sentence why not.
@@ -114,7 +116,7 @@ def write_whole(path: str | PathLike[str], content: str | bytes) -> Path:
             raise FormatError(f"{path} cannot be written: it is {_SPECIAL}.", remedy="Choose another place.")
         path.parent.mkdir(parents=True, exist_ok=True)
         # not by tempfile, whose files are for their owner alone: this one gets the mode of any file that is made
-        beside = path.parent / f".{path.name}.{os.getpid()}-{secrets.token_hex(8)}.part"
+        beside = path.parent / f".{path.name[:_SHORT]}.{os.getpid()}-{secrets.token_hex(8)}.part"
         handle = os.open(beside, os.O_WRONLY | os.O_CREAT | os.O_EXCL | getattr(os, "O_BINARY", 0), 0o666)
         temporary = str(beside)
         with os.fdopen(handle, "wb") as file:

@@ -151,7 +151,7 @@ def _open(path: Path, window: tuple[str, str] | None, options: Options, person: 
     draft.warnings += warnings
     for take, own in zip(draft.takes, distinct([take.person for take in draft.takes], draft.warnings)):
         take.person = own
-    recordings, findings = conform(draft, options, draft.name or path.stem)
+    recordings, findings = conform(draft, options, draft.name or _as_text(path.stem))
     people = tuple(take.person for take in draft.takes)
     recordings, people = _choose(recordings, people, person, path)
     frames = None
@@ -160,6 +160,11 @@ def _open(path: Path, window: tuple[str, str] | None, options: Options, person: 
         recordings = [recording[slice(*frames)] for recording in recordings]
     told = tuple(map(in_one_line, draft.warnings))
     return Reading(tuple(recordings), findings, told, path, frames, people)
+
+
+def _as_text(name: str) -> str:
+    """A file's name as a text, what is no UTF-8 in it spelled out."""
+    return os.fsencode(name).decode("utf-8", "backslashreplace")
 
 
 def split_window(source: str | PathLike[str]) -> tuple[Path, tuple[str, str] | None]:
