@@ -36,7 +36,7 @@ def work_but_two_dies(order: Any, task: Any) -> Any:
 
 def slow_work(order: Any, task: Any) -> Any:
     """Convert, after a while."""
-    time.sleep(0.4)
+    time.sleep(1.0)
     return converting.work(order, task)
 
 
