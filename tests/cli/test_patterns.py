@@ -269,7 +269,7 @@ def test_a_place_that_takes_no_file_is_wrong_usage_before_any_work(run: Run, ver
 
 
 def test_a_name_that_is_too_long_is_wrong_usage(run: Run) -> None:
-    told = run("patterns", "missing.bvh", "-o", f"{'x' * 250}.csv")
+    told = run("patterns", "missing.bvh", "-o", f"{'x' * 260}.csv")
     assert told.exit_code == 2
     assert "cannot be written: . takes no such file" in told.stderr
 
