@@ -17,7 +17,7 @@ ROOMS = sorted(path.parent.name for path in SOURCE.glob("*/__init__.py"))
 FLOORS = {
     "motion": 0,
     "io": 1, "body": 1, "vision": 1, "datasets": 1, "evaluation": 1,
-    "features": 2,
+    "features": 2, "repairs": 2,
     "similarity": 3, "words": 3,
     "discovery": 4, "recognition": 4, "retrieval": 4,
     "synthesis": 5, "view": 5,

@@ -6,8 +6,8 @@
 >>> lm.report(motion, "dance.html")                       # doctest: +SKIP
 
 The functions a person types stand here; each question of the field has a room of its own behind them, reached as
-``lm.io``, ``lm.body``, ``lm.features``, ``lm.similarity``, ``lm.discovery``, ``lm.view``. Importing this package
-loads nothing but itself: a name brings its room when it is first used.
+``lm.io``, ``lm.body``, ``lm.features``, ``lm.repairs``, ``lm.similarity``, ``lm.discovery``, ``lm.view``. Importing
+this package loads nothing but itself: a name brings its room when it is first used.
 """
 
 from __future__ import annotations
@@ -28,6 +28,7 @@ if TYPE_CHECKING:
         ParameterError,
         Pattern,
         Patterns,
+        Repaired,
         Segmentation,
         Skeleton,
         Trajectories,
@@ -41,6 +42,7 @@ if TYPE_CHECKING:
         read,
         read_all,
         read_annotations,
+        repair,
         report,
         save,
         write,
@@ -60,6 +62,7 @@ __all__ = [
     "ParameterError",
     "Pattern",
     "Patterns",
+    "Repaired",
     "Segmentation",
     "Skeleton",
     "Trajectories",
@@ -73,12 +76,15 @@ __all__ = [
     "read",
     "read_all",
     "read_annotations",
+    "repair",
     "report",
     "save",
     "write",
 ]
 
-_ROOMS = frozenset({"body", "datasets", "discovery", "features", "io", "motion", "similarity", "view"})
+_ROOMS = frozenset(
+    {"body", "datasets", "discovery", "features", "io", "motion", "repairs", "similarity", "view"}
+)
 
 
 def __getattr__(name: str) -> object:

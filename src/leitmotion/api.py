@@ -15,6 +15,7 @@ from pathlib import Path
 from typing import Any
 
 from leitmotion.body import ROLES, Body, BodyMap, embody, find_roles, map_from
+from leitmotion.body import swap_sides as exchanged
 from leitmotion.conversion import Converted, convert
 from leitmotion.datasets import compose_session
 from leitmotion.discovery import Pattern, Patterns
@@ -32,6 +33,7 @@ from leitmotion.motion import (
     Skeleton,
     Trajectories,
 )
+from leitmotion.repairs import Repaired, repair
 
 __all__ = [
     "Body",
@@ -45,6 +47,7 @@ __all__ = [
     "ParameterError",
     "Pattern",
     "Patterns",
+    "Repaired",
     "Segmentation",
     "Skeleton",
     "Trajectories",
@@ -58,6 +61,7 @@ __all__ = [
     "read",
     "read_all",
     "read_annotations",
+    "repair",
     "report",
     "save",
     "write",
@@ -82,6 +86,7 @@ def find_patterns(
     joints: str | Sequence[str] | None = None,
     exclude: str | Sequence[str] | None = None,
     body_map: Roles | None = None,
+    swap_sides: bool = False,
     **options: Any,
 ) -> Patterns:
     """Find what recurs in a recording.
@@ -107,6 +112,9 @@ def find_patterns(
         Roles to leave out, with wildcards.
     body_map : BodyMap or mapping of str, optional
         Which joints or markers stand for which role, when the names do not tell.
+    swap_sides : bool
+        Whether what is called left is the person's right: the roles of the two sides are exchanged, the recording
+        is left as it is. Not of a Body, whose roles are settled.
     **options
         Of the method, such as ``stillness=True``; :func:`leitmotion.discovery.find_patterns` tells them, and refuses
         what it does not know.
@@ -131,7 +139,8 @@ def find_patterns(
     >>> patterns = lm.find_patterns(session.motion)                  # doctest: +SKIP
     >>> [(pattern.id, pattern.cycles) for pattern in patterns.patterns]       # doctest: +SKIP
     """
-    described = _described(recording, features, joints, exclude, body_map)
+    roles = _exchanged(recording, body_map) if swap_sides else body_map
+    described = _described(recording, features, joints, exclude, roles)
     return _search(described, features, method=method, **options)
 
 
@@ -147,6 +156,7 @@ def report(
     joints: str | Sequence[str] | None = None,
     exclude: str | Sequence[str] | None = None,
     body_map: Roles | None = None,
+    swap_sides: bool = False,
     force: bool = False,
     **options: Any,
 ) -> Path:
@@ -169,7 +179,7 @@ def report(
         What the page tells about where the recording comes from: "path", "sha256" and the like.
     features : str, optional
         As for :func:`find_patterns`; by default those by which the given patterns were found, else posture.
-    joints, exclude, body_map
+    joints, exclude, body_map, swap_sides
         As for :func:`find_patterns`.
     force : bool
         Whether an ``.html`` file that Leitmotion did not write may be replaced.
@@ -198,6 +208,8 @@ def report(
     from leitmotion.similarity import self_distance
     from leitmotion.view import report_page
 
+    if swap_sides:
+        body_map = _exchanged(recording, body_map)
     body = _body(recording, body_map)
     target = Path(path) if path is not None else Path(f"{_file_name(body.name)}.html")
     _check_page(target, force=force)
@@ -262,6 +274,17 @@ def _file_name(name: str) -> str:
     spoken = "".join(mark for mark in last if mark.isprintable() and mark not in '<>:"|?*')
     short = spoken.encode("utf-8")[:LONGEST_NAME].decode("utf-8", errors="ignore")
     return short.strip(" .") or "recording"
+
+
+def _exchanged(recording: Recording, body_map: Roles | None) -> BodyMap:
+    """The body map with its sides exchanged."""
+    if isinstance(recording, Body):
+        raise ParameterError(
+            "The sides of a Body are settled.", remedy="Give the recording itself to have them exchanged."
+        )
+    if body_map is None:
+        return exchanged(find_roles(recording))
+    return exchanged(body_map if isinstance(body_map, BodyMap) else map_from(body_map, recording))
 
 
 def _body(recording: Recording, body_map: Roles | None) -> Body:

@@ -70,7 +70,7 @@ if TYPE_CHECKING:
 )
 @click.option("--force", is_flag=True, help="Convert all anew, and replace files that something else wrote.")
 @as_json
-@common(searching=False)
+@common(searching=False, sides=False)
 def convert(
     inputs: tuple[str, ...],
     to: str | None,

@@ -24,7 +24,7 @@ from typing import TYPE_CHECKING, Any
 from leitmotion import __version__
 
 if TYPE_CHECKING:
-    from leitmotion.api import Info, Patterns, Segmentation
+    from leitmotion.api import Info, Patterns, Repaired, Segmentation
     from leitmotion.cli.failures import Failure
     from leitmotion.cli.inputs import Input
 
@@ -85,9 +85,13 @@ def source_entry(given: Input, *, frames: int, rate: float, sha256: str = "") ->
     }
 
 
-def reading_parameters(given: Mapping[str, object], window: tuple[int, int] | None) -> Document:
-    """Say how the file was read where the person said so, and which frames of it when not all."""
+def reading_parameters(
+    given: Mapping[str, object], window: tuple[int, int] | None, *, swap_sides: bool = False
+) -> Document:
+    """Say how the file was read where the person said so, which frames of it when not all, and sides if swapped."""
     parameters: Document = {"reading": dict(given)} if given else {}
+    if swap_sides:
+        parameters["swap_sides"] = True
     if window is not None:
         parameters["window"] = {"start": window[0], "stop": window[1]}
     return parameters
@@ -158,8 +162,28 @@ def patterns_result(found: Patterns) -> Document:
     }
 
 
-def info_result(info: Info) -> Document:
-    """Make the result of the verb `info`."""
+def repair_result(mended: Repaired, *, written: Path | None, suggestion: str) -> Document:
+    """Make the result of the verb `repair`."""
+    rate = mended.recording.rate
+    return {
+        "changes": [
+            {
+                "what": change.what,
+                "joint": change.joint,
+                "frames": change.stop - change.start,
+                "detail": change.detail,
+                "stretch": stretch(change.start, change.stop, rate=rate, label=change.what),
+            }
+            for change in mended.changes
+        ],
+        "left": mended.remarks,
+        "suggestion": suggestion,
+        "written": written,
+    }
+
+
+def info_result(info: Info, commands: Sequence[str]) -> Document:
+    """Make the result of the verb `info`; of each problem there is a command that mends it, or nothing."""
     findings = {what: dataclasses.asdict(finding) for what, finding in info.findings.items()}
     asf = findings.pop("skeleton", None)
     held: Document = {"count": len(info.names), "names": info.names}
@@ -178,7 +202,15 @@ def info_result(info: Info) -> Document:
             )
         ],
         **findings,
-        "problems": [problem._asdict() for problem in info.problems],
+        "problems": [
+            {
+                "what": problem.what,
+                "message": problem.message,
+                "remedy": problem.remedy,
+                "command": command,
+            }
+            for problem, command in zip(info.problems, commands, strict=True)
+        ],
     }
 
 

@@ -16,6 +16,7 @@ from leitmotion.cli.outputs import check_output, write_documents
 from leitmotion.cli.printing import print_table
 from leitmotion.cli.progress import Progress
 from leitmotion.cli.recordings import unused_skeleton
+from leitmotion.cli.suggestions import command_for
 
 if TYPE_CHECKING:
     from rich.console import Console
@@ -50,12 +51,18 @@ def info(inputs: tuple[str, ...], options: Options) -> None:
         from leitmotion.api import info as tell
 
         progress.say(f"Reading {given.path.name}")
-        told = tell(given.source, **options.reading, body_map=options.map_entries())
+        told = tell(
+            given.source,
+            **options.reading,
+            body_map=options.map_entries(),
+            swap_sides=options.swap_sides,
+        )
+        commands = [command_for(problem, given, options, people=told.people) for problem in told.problems]
         return Answer(
             source=[source_entry(given, frames=told.frames, rate=told.rate)],
-            parameters=reading_parameters(options.reading, told.window),
-            result=info_result(told),
-            show=lambda console: _show(console, told),
+            parameters=reading_parameters(options.reading, told.window, swap_sides=options.swap_sides),
+            result=info_result(told, commands),
+            show=lambda console: _show(console, told, commands),
             warnings=[*told.warnings, *unused_skeleton(options, told.findings)],
         )
 
@@ -69,7 +76,7 @@ def info(inputs: tuple[str, ...], options: Options) -> None:
     finish(outcome)
 
 
-def _show(console: Console, told: Info) -> None:
+def _show(console: Console, told: Info, commands: Sequence[str]) -> None:
     from leitmotion.view.counting import plural
 
     held = plural(len(told.names), "joint" if told.kind == "skeleton" else "point")
@@ -80,8 +87,10 @@ def _show(console: Console, told: Info) -> None:
         console.print(f"It holds {len(told.people)} people: {', '.join(told.people)}. This is the first.")
     if not told.problems:
         console.print("No problem found.")
-    for problem in told.problems:
+    for problem, command in zip(told.problems, commands, strict=True):
         console.print(f"Problem: {problem.message} {problem.remedy}".rstrip())
+        if command:
+            console.print(f"  {command}", style="dim")
     console.print()
     facts = [
         (what, _value(what, finding.value, told), finding.how, finding.reason)

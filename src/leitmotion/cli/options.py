@@ -27,6 +27,8 @@ class Options:
         Whether files that hold pickled Python objects are read.
     body_map : Path or None
         A JSON file that names the joint or markers of each role.
+    swap_sides : bool
+        Whether what is called left is the person's right.
     joints, exclude : tuple of str
         Which roles to compare, and which to leave out.
     method : str
@@ -48,6 +50,7 @@ class Options:
     person: str | None = None
     trust: bool = False
     body_map: Path | None = None
+    swap_sides: bool = False
     joints: tuple[str, ...] = ()
     exclude: tuple[str, ...] = ()
     method: str = "recurrence"
@@ -185,6 +188,11 @@ _READING = (
         help='JSON file that names the joint or markers of each role: {"left_knee": "LKnee", …}.',
     ),
 )
+_SIDES = (
+    click.option(
+        "--swap-sides", is_flag=True, help="Take what is called left for right, and right for left."
+    ),
+)
 _SEARCHING = (
     click.option(
         "--method",
@@ -221,20 +229,24 @@ as_json = click.option(
 )
 
 
-def common(*, searching: bool = True) -> Callable[[Callable[..., Any]], Callable[..., Any]]:
+def common(
+    *, searching: bool = True, sides: bool = True
+) -> Callable[[Callable[..., Any]], Callable[..., Any]]:
     """Give a command the options that every verb takes, passed on as one :class:`Options`.
 
     Parameters
     ----------
     searching : bool
         Whether the verb looks for what recurs, so that the search may be steered.
+    sides : bool
+        Whether the verb asks which side is left.
 
     Returns
     -------
     callable
         A decorator; the command it makes receives ``options`` instead of the single values.
     """
-    wanted = (_SEARCHING if searching else ()) + _READING + _ANSWERING
+    wanted = (_SEARCHING if searching else ()) + _READING + (_SIDES if sides else ()) + _ANSWERING
 
     def decorate(command: Callable[..., Any]) -> Callable[..., Any]:
         @functools.wraps(command)

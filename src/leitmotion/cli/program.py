@@ -26,6 +26,7 @@ VERBS = {
     "demo": "Show what Leitmotion does, on a practice session or a recording.",
     "info": "Tell what a recording holds, and what is wrong with it.",
     "convert": "Write recordings in another format, whole folders at once.",
+    "repair": "Mend a recording by remedies that have a name.",
     "patterns": "Find what recurs in a recording.",
     "report": "Write the page that shows what recurs.",
 }

@@ -13,6 +13,7 @@ from leitmotion.cli.progress import Progress
 
 if TYPE_CHECKING:
     from leitmotion.api import Body, Motion, Trajectories
+    from leitmotion.io import Reading
 
 
 class Opened(NamedTuple):
@@ -49,6 +50,22 @@ def open_one(given: Input, options: Options, progress: Progress) -> Opened:
         When the file holds several people and none was chosen.
     """
     from leitmotion.api import embody, info
+
+    reading = read_one(given, options, progress)
+    recording = reading.recordings[0]
+    told = info(recording, body_map=options.map_entries(), swap_sides=options.swap_sides)
+    return Opened(
+        recording=recording,
+        body=embody(recording, told.roles),
+        source=[source_entry(given, frames=len(recording), rate=recording.rate)],
+        first_frame=0 if reading.window is None else reading.window[0],
+        parameters=reading_parameters(options.reading, reading.window, swap_sides=options.swap_sides),
+        warnings=[*reading.warnings, *told.misread, *unused_skeleton(options, reading.findings)],
+    )
+
+
+def read_one(given: Input, options: Options, progress: Progress) -> Reading:
+    """Read a file of one person, parameters and errors as for :func:`open_one`; tell how it was understood."""
     from leitmotion.io import open_recording
     from leitmotion.motion import DataError
 
@@ -59,16 +76,7 @@ def open_one(given: Input, options: Options, progress: Progress) -> Opened:
             f"{given.shown} holds {len(reading.recordings)} people: {', '.join(reading.people)}.",
             remedy="Choose one with --person NAME.",
         )
-    recording = reading.recordings[0]
-    told = info(recording, body_map=options.map_entries())
-    return Opened(
-        recording=recording,
-        body=embody(recording, told.roles),
-        source=[source_entry(given, frames=len(recording), rate=recording.rate)],
-        first_frame=0 if reading.window is None else reading.window[0],
-        parameters=reading_parameters(options.reading, reading.window),
-        warnings=[*reading.warnings, *told.misread, *unused_skeleton(options, reading.findings)],
-    )
+    return reading
 
 
 def unused_skeleton(options: Options, findings: Mapping[str, object]) -> list[str]:

@@ -60,6 +60,9 @@ class Reading:
     people: tuple[str, ...] = ()
     """What each recording's person is called in the file."""
 
+    format: str = ""
+    """What the file's format is called."""
+
 
 @dataclass(frozen=True)
 class Options:

@@ -159,7 +159,7 @@ def _open(path: Path, window: tuple[str, str] | None, options: Options, person: 
         frames = _frames_of(window, recordings[0].rate, len(recordings[0]), path, draft.warnings)
         recordings = [recording[slice(*frames)] for recording in recordings]
     told = tuple(map(in_one_line, draft.warnings))
-    return Reading(tuple(recordings), findings, told, path, frames, people)
+    return Reading(tuple(recordings), findings, told, path, frames, people, form.name)
 
 
 def _as_text(name: str) -> str:
