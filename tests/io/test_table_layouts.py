@@ -290,6 +290,12 @@ def test_an_unknown_unit_is_told_and_times_overrule_a_rate_that_is_not_theirs(tm
     assert any("10 Hz is stated, but the times tell another" in warning for warning in reading.warnings)
 
 
+@pytest.mark.parametrize("rate", ["1e308", "1e-300", "0", "none"])
+def test_a_rate_beyond_reason_is_none(tmp_path, rate):
+    text = f"# rate: {rate}\ntime,A_x,A_y,A_z\n0,1,2,3\n0.02,1,2,3\n"
+    assert read(tmp_path, text, unit="m").recordings[0].rate == 50.0
+
+
 def test_numbers_of_frames_that_leap_are_missing_frames(tmp_path):
     text = "# rate: 50\nframe,A_x,A_y,A_z\n" + "".join(f"{k},{k},2,3\n" for k in (5, 6, 7, 10, 11, 12))
     reading = read(tmp_path, text, unit="m")

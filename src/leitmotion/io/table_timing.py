@@ -12,6 +12,7 @@ from leitmotion.io.timing import Timing, read_times
 VIDEO_RATE = 30.0
 """Frames per second that are guessed where rows are the frames of a video and nothing tells their rate."""
 
+_FASTEST = 1e6  # hertz; a rate beyond it, or below its reciprocal, is none
 _STRETCH = 10.0  # frames a row beyond which the numbers of the frames are no numbers of frames
 
 
@@ -61,7 +62,7 @@ def time_rows(
         if times is None:
             return _by_number(told, numbers, warnings)
         even = times[0] + np.arange(len(times)) / told.value
-        if np.abs(times - even).max() * told.value < 0.5:  # which no NaN is
+        if np.abs(times - even).max() < 0.5 / told.value:  # which no NaN is
             return Timing(told, None)
         warnings.append(
             f"A rate of {told.value:g} Hz is stated, but the times tell another; the times count."
@@ -84,7 +85,7 @@ def time_rows(
 def _stated_rate(stated: str) -> Finding | None:
     number = re.match(r"\d+(?:\.\d*)?(?:[eE][+-]?\d+)?|\.\d+", stated)
     rate = float(number[0]) if number else 0.0
-    return Finding(rate, "read", "stated by the table") if 0.0 < rate < np.inf else None
+    return Finding(rate, "read", "stated by the table") if 1.0 / _FASTEST < rate < _FASTEST else None
 
 
 def _by_number(rate: Finding, numbers: np.ndarray | None, warnings: list[str]) -> Timing:
