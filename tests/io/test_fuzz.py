@@ -190,6 +190,9 @@ FOUND = {
     "two lines of three": ("clip.csv", b"scorer,net\nbodyparts,nose\n"),
     "a third of a point": ("clip.csv", but("table of points", b"LANK_z", b"LANK_w")),
     "a place beyond all": ("clip.json", but("poses of AlphaPose", b"100.5", b"1e300")),
+    "a rate of nothing": ("clip.csv", b"# rate: 1e-320\ntime,A_x,A_y,A_z\n0,1,2,3\n1,1,2,3\n"),
+    "steps of nothing": ("clip.csv", b"time,A_x,A_y,A_z\n0,1,2,3\n1e-320,1,2,3\n2e-320,1,2,3\n"),
+    "steps without end": ("clip.csv", b"time,A_x,A_y,A_z\n0,1,2,3\n1e149,1,2,3\n2e149,1,2,3\n"),
     "the last byte missing": ("clip.npz", SEEDS["archive of points"]()["clip.npz"][:-1]),
 }
 

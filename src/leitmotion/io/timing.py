@@ -10,6 +10,7 @@ from leitmotion.io.reading import Finding, Source
 
 _NEAR = 5e-3  # how far, relatively, the rate of rounded times may lie from the whole one it is taken for
 _UNEVEN = 0.2  # share of the median step by which steps may differ without a word
+_SHORTEST = 1e-12  # of a step that is one
 _GAP = 10.0  # median steps without a row that are a gap
 _DRIFT = 2.0  # steps by which a row may lie from where even steps put it
 _STRETCH = 10.0  # frames a row beyond which a table is mostly gap
@@ -119,7 +120,7 @@ def read_times(source: Source, times: np.ndarray, column: str, warnings: list[st
 def _check_growth(source: Source, spans: np.ndarray, timed: np.ndarray, median: float, column: str) -> None:
     if len(timed) == 1:
         raise source.error("one row of numbers tells no rate.", remedy="State the rate with --rate HZ.")
-    if not median > 0:
+    if not median > _SHORTEST:
         raise source.error(
             f"expected times that grow from row to row in the column {column!r}, found that they mostly do not.",
             remedy="State the rate with --rate HZ.",
