@@ -1,10 +1,12 @@
-"""Which joints or markers stand for which role: read from names and from the tree, checked against geometry.
+"""Which joints or markers stand for which role: read from names and the tree, checked against geometry and motion.
 
 Conventions
 -----------
-A role that cannot be told is absent: it is never filled by a guess. Confidence is 1 where a name says a role outright
-and the tree and the geometry agree; markers on the skin start at 0.9, stand-ins lower; what speaks against an
-assignment lowers it (:mod:`leitmotion.body.plausibility`). Nothing is swapped or repaired.
+Confidence is 1 where a name says a role outright and the tree and the geometry agree; markers on the skin start at 0.9,
+stand-ins lower; what speaks against an assignment lowers it (:mod:`leitmotion.body.plausibility`,
+:mod:`leitmotion.body.sides`). What names leave open is told by the body's shape (:mod:`leitmotion.body.shape`), with
+at most 0.8. A role that cannot be told is absent. Named sides are never swapped, and a side that is only likely has
+no more than 0.5.
 """
 
 from __future__ import annotations
@@ -26,13 +28,16 @@ from leitmotion.motion import Motion, Skeleton, Trajectories
 
 
 def find_roles(recording: Motion | Trajectories) -> BodyMap:
-    """Find what each joint or marker of a recording is, from its name.
+    """Find what each joint or marker of a recording is, from its name, else from the shape of the body.
 
     Names are read by :func:`leitmotion.body.names.parse_names` and matched against
     :mod:`leitmotion.body.vocabulary`, all names of the recording together. In a skeleton the trunk is read
     from the tree: ``chest`` is the last joint below the neck and the arms, ``spine`` the one nearest to half
     way between it and the pelvis. What no name says, but others imply, is their mean: the pelvis of two hips
     (confidence 0.8), the neck of two clavicles (0.8) or two shoulders (0.6).
+
+    Where names leave one of :data:`leitmotion.body.ANALYSIS_ROLES` open, or something speaks against them, the shape of
+    the body is asked: where its bones meet, how long they are, where feet point and knees bend.
 
     Parameters
     ----------

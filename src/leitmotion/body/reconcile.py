@@ -56,9 +56,9 @@ def reconcile(
         for role in compared
         if mirror_role(role) in shaped
     )
-    if len(compared) >= ENOUGH and max(same, crossed) <= NONSENSE * len(compared):
-        return {role: (points, min(sure, UNSURE)) for role, (points, sure) in shaped.items()}
     body = max(sure for _, sure in shaped.values())
+    if body > UNSURE and len(compared) >= ENOUGH and max(same, crossed) <= NONSENSE * len(compared):
+        return {role: (points, min(sure, UNSURE)) for role, (points, sure) in shaped.items()}
     if crossed > same:
         shaped = {mirror_role(role): those for role, those in shaped.items()}
     named = _as_meant(named, shaped, meanings)

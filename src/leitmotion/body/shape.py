@@ -22,8 +22,10 @@ Found = dict[str, tuple[tuple[int, ...], float]]
 
 SURE = 0.8  # a role that build and motion tell clearly
 UNSURE = 0.5  # the most that a role has whose side, or whose body, is not clear
-DOUBTFUL = 0.45  # cost from which a body is not clear
-WORST_TREE, WORST_POINTS = 1.0, 0.6  # cost of what is no body; the trees that markers make may be cheap
+TREE, POINTS = (
+    (0.8, 1.0),
+    (0.45, 0.6),
+)  # cost of a body that is not clear, and of none; markers make cheap trees
 CLEAR_IN_POINTS = ("pelvis", "shoulder", "elbow", "wrist", "hip", "knee", "ankle", "toe")
 TOE_TIP = 0.06  # of stature: how far from the ankle an end must be to show where the foot points
 
@@ -45,7 +47,7 @@ def roles_from_shape(recording: Motion | Trajectories, look: Look) -> Found:
         the roles that have one) or whether this is a body.
     """
     graph = graph_of(recording, look.positions)
-    most = WORST_TREE if isinstance(recording, Motion) else WORST_POINTS
+    doubtful, most = TREE if isinstance(recording, Motion) else POINTS
     fit = fit_body(graph, most) if graph is not None else None
     if graph is None or fit is None:
         return {}
@@ -72,7 +74,7 @@ def roles_from_shape(recording: Motion | Trajectories, look: Look) -> Found:
         now["neck"] = (now["left_shoulder"] + now["right_shoulder"]) / 2
     check = weigh_sides(now, later, look.step if look.metric else 0.0, look.duration)
     clear = check.confidence > UNSURE
-    body = SURE if fit.cost < DOUBTFUL else UNSURE
+    body = SURE if fit.cost < doubtful else UNSURE
     found: Found = {}
     for role, point in points.items():
         named = mirror_role(role) if check.balance < 0 else role
