@@ -161,3 +161,10 @@ def test_real_annotations_end_where_their_recordings_end(data):
     spans = io.read_annotations(data / "mocap6" / "13_29.txt", rate=120, frames=len(motion))
     assert (spans.labels[0], int(spans.stops[-1])) == ("JumpJack", len(motion))
     assert json.dumps(io.as_stretches(spans)[0])
+
+
+@pytest.mark.parametrize("name", ["a.TextGrid", "a.anvil", "a.boris"])
+def test_annotations_of_other_programs_are_one_sentence(tmp_path, name):
+    (tmp_path / name).write_text('File type = "ooTextFile"\n')
+    with pytest.raises(FormatError, match=r"annotations are not read\. Save them as CSV"):
+        io.read_annotations(tmp_path / name, rate=30)

@@ -31,6 +31,11 @@ _LISTS = ("segments", "stretches", "repetitions", "occurrences", "spans")
 _COLUMNS = ("start", "stop", "start_s", "stop_s", "label", "score")
 _ALIASES = {"end": "stop", "end_s": "stop_s", "begin": "start", "name": "label", "start_frame": "start",
             "stop_frame": "stop", "end_frame": "stop"}  # fmt: skip
+_NOT_READ = {
+    ".textgrid": "Praat", ".anvil": "Anvil", ".trs": "Transcriber", ".boris": "BORIS", ".srt": "subtitle",
+    ".vtt": "subtitle",
+}  # fmt: skip
+"""Annotations that are known but not read, by extension in lower case, and whose they are."""
 
 
 def read_annotations(
@@ -71,6 +76,11 @@ def read_annotations(
         When the file holds several trials and `trial` is none of them, or several tiers and `tier` is none of them.
     """
     path, content = read_file(Path(path))
+    if path.suffix.lower() in _NOT_READ:
+        raise FormatError(
+            f"{path.name}: {_NOT_READ[path.suffix.lower()]} annotations are not read.",
+            remedy="Save them as CSV with the columns start_s, stop_s, label, or as ELAN's .eaf.",
+        )
     if path.suffix.lower() == ".eaf":
         return _segmentation(_from_eaf(content, rate, tier, path), rate, frames, path)
     try:
