@@ -187,7 +187,6 @@ def test_a_short_last_row_is_left_out_and_told(tmp_path):
         ("Frame Time: 0.0083333", "", "'Frames:' and 'Frame Time:'"),
         ("0.0083333", "0", "frame time above 0.*--rate"),
         ("11 21", "11 x", "line 25: expected a number, found 'x'"),
-        ("11 21", "11 nan", "line 25: expected a number, found 'nan'"),
         ("1 95 3", "1 95", "line 24: expected 12 numbers in the row, found 11"),
     ],
 )
@@ -557,12 +556,11 @@ def test_a_joint_without_an_offset_is_told(tmp_path):
             "ROOT Hips { OFFSET 0 0 0 ",
             "line 2: expected a line for each joint, OFFSET and CHANNELS",
         ),
-        ("20 30", "-1.#IND000 30", "line 24: expected a number, found '-1.#IND000'. A skeleton has no gaps"),
         ("20 30", "1e300 30", r"line 24: expected a number below 1e\+150, found '1e300'"),
         (
             "1 95 3",
             "1e20 95 3",
-            "expected a place of joint 'Hips' in frame 0, found 1e.20, 95, 3. A skeleton has no gaps",
+            "expected a place of joint 'Hips' in frame 0, found 1e.20, 95, 3. Was the file damaged",
         ),
         (
             "Frame Time: 0.0083333",

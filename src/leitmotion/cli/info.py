@@ -57,7 +57,11 @@ def info(inputs: tuple[str, ...], options: Options) -> None:
             body_map=options.map_entries(),
             swap_sides=options.swap_sides,
         )
-        commands = [command_for(problem, given, options, people=told.people) for problem in told.problems]
+        points = told.kind == "points"
+        commands = [
+            command_for(problem, given, options, people=told.people, points=points)
+            for problem in told.problems
+        ]
         return Answer(
             source=[source_entry(given, frames=told.frames, rate=told.rate)],
             parameters=reading_parameters(options.reading, told.window, swap_sides=options.swap_sides),

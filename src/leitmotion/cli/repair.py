@@ -113,11 +113,13 @@ def repair(inputs: tuple[str, ...], options: Options, filter_: float | str | Non
     def look(given: Input, progress: Progress) -> Answer:
         from leitmotion.api import info
         from leitmotion.api import repair as mend
+        from leitmotion.motion import Trajectories
 
         reading = read_one(given, options, progress)
         recording, entries = reading.recordings[0], options.map_entries()
         problems = () if remedies else info(recording, body_map=entries).problems
-        suggestion = one_command(problems, given, options)
+        points = isinstance(recording, Trajectories)
+        suggestion = one_command(problems, given, options, points=points)
         progress.say(f"Mending {given.path.name}")
         mended = mend(recording, **remedies, body_map=entries)
         written = targets.get(given.shown)

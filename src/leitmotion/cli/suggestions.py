@@ -15,7 +15,9 @@ MENDING = ("--swap-sides", "--duplicates", "--swaps", "--frozen", "--spikes", "-
 """Remedies that problems suggest, in the order in which they are taken."""
 
 
-def command_for(problem: Problem, given: Input, options: Options, *, people: Sequence[str] = ()) -> str:
+def command_for(
+    problem: Problem, given: Input, options: Options, *, people: Sequence[str] = (), points: bool = False
+) -> str:
     """Say what to type to mend a problem; empty where nothing does.
 
     Parameters
@@ -28,6 +30,8 @@ def command_for(problem: Problem, given: Input, options: Options, *, people: Seq
         How it was read: what was said then is said again.
     people : sequence of str
         Everyone in the file; of several the first is meant where none was chosen.
+    points : bool
+        Whether it was read as points, which not every format holds.
 
     Returns
     -------
@@ -43,10 +47,10 @@ def command_for(problem: Problem, given: Input, options: Options, *, people: Seq
     for name, value in said.items():
         if f"--{name}" not in problem.options:
             words += [f"--{name}"] if value == "True" else [f"--{name}", value]
-    return problem.command(given.shown, mended_name(given), said=words)
+    return problem.command(given.shown, mended_name(given, points=points), said=words)
 
 
-def one_command(problems: Iterable[Problem], given: Input, options: Options) -> str:
+def one_command(problems: Iterable[Problem], given: Input, options: Options, *, points: bool = False) -> str:
     """Put what mends several problems into one command; empty where no remedy would help.
 
     Parameters
@@ -57,6 +61,8 @@ def one_command(problems: Iterable[Problem], given: Input, options: Options) -> 
         The recording.
     options : Options
         How it was read.
+    points : bool
+        Whether it was read as points.
 
     Returns
     -------
@@ -74,17 +80,19 @@ def one_command(problems: Iterable[Problem], given: Input, options: Options) -> 
     if not wanted:
         return ""
     words = tuple(word for option in MENDING for word in wanted.get(option, ()))
-    return command_for(Problem("", "", verb="repair", options=words), given, options)
+    return command_for(Problem("", "", verb="repair", options=words), given, options, points=points)
 
 
-def mended_name(given: Input) -> str:
+def mended_name(given: Input, *, points: bool = False) -> str:
     """Suggest what a mended copy of an input is called, in the current folder."""
-    return f"{given.name}-repaired{ending_of(given)}"
+    return f"{given.name}-repaired{ending_of(given, points=points)}"
 
 
-def ending_of(given: Input) -> str:
-    """Say what a mended copy of an input ends in: as the input does where that is written, else ``.npz``."""
+def ending_of(given: Input, *, points: bool = False) -> str:
+    """Say what a mended copy of an input ends in: as the input does where such is written, else ``.npz``."""
     from leitmotion.io.formats import writable
 
+    forms = writable()
     endings = (suffix.lower() for suffix in reversed(given.path.suffixes))
-    return next((ending for ending in endings if ending in writable()), ".npz")
+    fitting = (one for one in endings if one in forms and not (points and forms[one].of_skeletons))
+    return next(fitting, ".npz")

@@ -159,7 +159,7 @@ def _channels(
     if status != _kernels.DONE:
         _explain(source, status, stopped, labels, counts, bone, frames, warnings)
     inside = doubts[:doubtful]
-    settle(source, values, inside[inside[:, 0] < frames * column])
+    settle(source, values, inside[inside[:, 0] < frames * column], missing=True)
     if frames == 0:
         raise source.error("expected at least one whole frame, found none.")
     _check_numbers(numbers[:frames], warnings)

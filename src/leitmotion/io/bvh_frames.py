@@ -92,7 +92,7 @@ def read_frames(source: Source, header: Header, columns: int, warnings: list[str
     Returns
     -------
     (T, N) float
-        The numbers.
+        The numbers, NaN where one is missing (``nan``, ``1.#IND``).
 
     Raises
     ------
@@ -108,7 +108,7 @@ def read_frames(source: Source, header: Header, columns: int, warnings: list[str
                 "Lines are no frames: the numbers, as many as promised, were taken one after the other."
             )
             return values.reshape(promised, columns)
-    rows = read_rows(source, header.start, columns)
+    rows = read_rows(source, header.start, columns, missing=True, whole=True)
     if rows.cut:
         last = source.content.rstrip().rpartition(b"\n")[2]
         if _WORDS.search(last):
@@ -246,4 +246,4 @@ def _stream(source: Source, start: int) -> np.ndarray:
     """All numbers from a byte on, whatever the lines."""
     column = source.content[start:].translate(bytes.maketrans(b" \t\r", b"\n\n\n"))
     text = _Column(source.path, source.content[:start] + column, source.options, source.line_of)
-    return read_rows(text, start, 1).values
+    return read_rows(text, start, 1, missing=True, whole=True).values

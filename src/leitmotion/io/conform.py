@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from leitmotion.io.gapped import as_points
 from leitmotion.io.judge import contradict_up, judge_up, look
 from leitmotion.io.judge_unit import doubt_unit, judge_unit, makes_an_adult
 from leitmotion.io.points import FARTHEST
@@ -41,7 +42,8 @@ def refuse_useless(source: Source, draft: Draft) -> None:
     source : Source
         The file, for the error.
     draft : Draft
-        What the reader found; points out of all reach become unseen, with a warning.
+        What the reader found; points out of all reach become unseen, and skeletons with missing numbers points, with
+        a warning.
 
     Raises
     ------
@@ -63,20 +65,33 @@ def refuse_useless(source: Source, draft: Draft) -> None:
             _check_joints(source, take)
         else:
             _unsee_far(take, draft.warnings)
+    draft.takes = [
+        as_points(take, draft.warnings) if isinstance(take, SkeletonTake) and _has_gaps(take) else take
+        for take in draft.takes
+    ]
+
+
+def _has_gaps(take: SkeletonTake) -> bool:
+    return bool(np.isnan(np.sum(take.positions)) or np.isnan(np.sum(take.rotations)))
 
 
 def _check_joints(source: Source, take: SkeletonTake) -> None:
-    """A skeleton is complete: refuse a joint that has no place or no rotation, or is out of all reach."""
+    """Refuse a joint that is out of all reach, or of which the rest pose tells no place."""
     for what, values in (("an offset", take.offsets[None]), ("an end site", take.end_offsets[None]),
                          ("a place", take.positions), ("a rotation", take.rotations)):  # fmt: skip
         if not values.size or (values.min() > -FARTHEST and values.max() < FARTHEST):  # NaN fails both
             continue
-        frame, joint = np.argwhere(~(np.abs(values) < FARTHEST).all(axis=-1))[0]
+        wrong = ~(np.abs(values) < FARTHEST)
+        if what in ("a place", "a rotation"):
+            wrong &= ~np.isnan(values)
+        if not wrong.any():
+            continue
+        frame, joint = np.argwhere(wrong.any(axis=-1))[0]
         name = take.names[take.end_parents[joint] if what == "an end site" else joint]
         where = f" in frame {frame}" if what in ("a place", "a rotation") else ""
         raise source.error(
             f"expected {what} of joint {name!r}{where}, found {_spell(values[frame, joint])}.",
-            remedy="A skeleton has no gaps: fill them in the program that made the file.",
+            remedy="Was the file damaged?",
         )
 
 

@@ -36,6 +36,9 @@ class Format:
     writer: str = ""
     """The module of this room that writes it, ``write(recording, **options) -> bytes``; empty where none does."""
 
+    of_skeletons: bool = False
+    """Whether what it holds is a skeleton, so that points cannot be written."""
+
     text: bool = False
     """Whether its files are text."""
 
@@ -76,7 +79,7 @@ _ZIP = b"PK\x03\x04"  # of a NumPy archive the name of the first member stands a
 
 FORMATS = (
     Format("C3D", (".c3d",), "c3d", lambda head: head[:2] == b"\x02\x50", writer="c3d_writing"),
-    Format("BVH", (".bvh",), "bvh", _starts(rb"HIERARCHY\b"), writer="bvh", text=True),
+    Format("BVH", (".bvh",), "bvh", _starts(rb"HIERARCHY\b"), writer="bvh", of_skeletons=True, text=True),
     Format(
         "AMC",
         (".amc",),

@@ -26,7 +26,6 @@ MISSING_WORDS = frozenset(
 
 _INFINITE = b"1.#"  # with which Microsoft's C begins what is no number: 1.#IND, 1.#QNAN0
 _LARGEST = 1e150  # the square of a larger number is infinite
-_GAP = "A skeleton has no gaps: fill them in the program that made the file."
 _ROOM = 64  # how many numbers a byte of a table may stand for before it is refused
 
 
@@ -52,6 +51,7 @@ def read_rows(
     *,
     delimiter: str = " ",
     missing: bool = False,
+    whole: bool = False,
     wanted: Sequence[int] | None = None,
 ) -> Rows:
     """Read the lines from byte `start` on as rows of `columns` numbers each.
@@ -69,6 +69,8 @@ def read_rows(
     missing : bool
         Whether empty cells, the words in :data:`MISSING_WORDS` and the last cells of a short row are NaN; else they
         are errors.
+    whole : bool
+        Whether short rows are errors all the same.
     wanted : sequence of int, optional
         The columns that must be numbers; words in others are NaN.
 
@@ -86,14 +88,15 @@ def read_rows(
 
     content = source.content
     capacity = content.count(b"\n", start) + 1
-    if not missing:
+    pad = missing and not whole
+    if not pad:
         capacity = min(capacity, len(content) // (2 * columns) + 1)
     elif capacity * columns > _ROOM * len(content) + 1_000_000:
         raise source.error(f"expected rows of {columns} numbers, found rows that are mostly empty.")
     values = np.empty((capacity, columns))
     doubts = np.empty((capacity * columns, 3), dtype=np.int64)
     rows, doubtful, status, stopped, column = _kernels.scan_rows(
-        as_bytes(content), start, ord(delimiter), missing, values, doubts
+        as_bytes(content), start, ord(delimiter), pad, values, doubts
     )
     inside = doubts[:doubtful]
     if wanted is not None:
@@ -145,10 +148,9 @@ def settle(source: Source, values: np.ndarray, doubts: np.ndarray, *, missing: b
         except ValueError:
             number = math.nan
         if not abs(number) < _LARGEST:
-            absent = _is_missing(token)
-            if not (missing and absent):
+            if not (missing and _is_missing(token)):
                 expected = f"a number below {_LARGEST:.0e}" if math.isfinite(number) else "a number"
-                raise source.fault(start, expected, glimpse(token), remedy=_GAP if absent else "")
+                raise source.fault(start, expected, glimpse(token))
             number = math.nan
         flat[place] = number
 
