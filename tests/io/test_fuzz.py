@@ -2,6 +2,7 @@
 
 import io as streams
 import itertools
+import struct
 import zipfile
 from collections.abc import Iterator
 from random import Random
@@ -156,11 +157,20 @@ def test_the_law_catches_what_it_should(monkeypatch):
 # --- what was found, each as small as it gets
 
 
+def members() -> dict[str, bytes]:
+    """What an archive of ours holds."""
+    with zipfile.ZipFile(streams.BytesIO(SEEDS["archive of points"]()["clip.npz"])) as box:
+        return {name: box.read(name) for name in box.namelist()}
+
+
 def archive(header: bytes) -> bytes:
     """An archive of ours with another header."""
-    with zipfile.ZipFile(streams.BytesIO(SEEDS["archive of points"]()["clip.npz"])) as box:
-        members = {name: box.read(name) for name in box.namelist()}
-    return zipped(members | {"header.npy": header})
+    return zipped(members() | {"header.npy": header})
+
+
+def signalling() -> bytes:
+    """An archive of ours whose last number is a NaN that signals."""
+    return zipped(members() | {"a0.npy": members()["a0.npy"][:-8] + struct.pack("<Q", 0x7FF0000000000001)})
 
 
 def but(name: str, old: bytes, new: bytes, file: str = "") -> bytes:
@@ -193,6 +203,7 @@ FOUND = {
     "a rate of nothing": ("clip.csv", b"# rate: 1e-320\ntime,A_x,A_y,A_z\n0,1,2,3\n1,1,2,3\n"),
     "steps of nothing": ("clip.csv", b"time,A_x,A_y,A_z\n0,1,2,3\n1e-320,1,2,3\n2e-320,1,2,3\n"),
     "steps without end": ("clip.csv", b"time,A_x,A_y,A_z\n0,1,2,3\n1e149,1,2,3\n2e149,1,2,3\n"),
+    "a NaN that signals": ("clip.npz", signalling()),
     "the last byte missing": ("clip.npz", SEEDS["archive of points"]()["clip.npz"][:-1]),
 }
 

@@ -231,8 +231,9 @@ def _trajectories(
     turned = not np.array_equal(turn, np.eye(len(turn)))
     for start in range(0, len(positions), _CHUNK):  # in place: of a long recording there is no second copy
         chunk = positions[start : start + _CHUNK]
-        chunk *= metres
-        if turned:
-            chunk[...] = chunk @ turn.T
+        with np.errstate(invalid="ignore"):  # a NaN of a file may be one that signals
+            chunk *= metres
+            if turned:
+                chunk[...] = chunk @ turn.T
     positions.flags.writeable = False
     return Trajectories(tuple(take.names), positions, rate, unit, take.kind, take.confidence, name)
