@@ -177,7 +177,12 @@ def test_without_unit_and_screen_both_are_judged(tmp_path, rng):
 
 @pytest.mark.parametrize(
     ("cut", "match"),
-    [(100, "mark 0x50"), (600, "labelled|points|frame|data|scale"), (1024 + 30, "whole frame")],
+    [
+        (1, "mark 0x50 .* found none"),
+        (100, "512 bytes, found the end after 100"),
+        (600, "labelled|points|frame|data|scale"),
+        (1024 + 30, "whole frame"),
+    ],
 )
 def test_cut_short_is_one_sentence(tmp_path, walk, cut, match):
     content = c3d_bytes(walk, LABELS)

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from leitmotion import io
+from leitmotion.datasets import compose_session
 from leitmotion.io.files import write_whole
 from leitmotion.io.units import METRES
 from leitmotion.motion import DataError, FormatError, ParameterError
@@ -93,13 +94,14 @@ def test_a_file_whose_name_ends_in_brackets_wins(clip):
         ("a.bvh", b"\0" * 500, "line 1: expected text, found NUL bytes"),
         ("a.bvh", "HIERARCHY\nROOT Hips\n".encode("utf-16"), "expected a section MOTION"),
         ("a.amc", bytes(range(1, 256)) * 8, "skeleton"),
-        ("a.c3d", b"HIERARCHY\nROOT Hips\n" * 50, "mark 0x50"),
+        ("a.c3d", b"rubbish\n" * 50, "mark 0x50 .* in its second byte, found 75"),
+        ("a.c3d", b"HIERARCHY\nROOT Hips\n" * 50, "line 4: expected a ROOT outside joints"),
         ("a.trc", b"\x02\x01\n" * 50, "PathFileType"),
         ("a.csv", b"\x02\xff\xfe\n" * 50, "columns such as"),
         ("a.csv", b"time,A_x,A_y,A_z\n0,1,\0,3\n", "line 2: expected text, found NUL"),
         ("a.npz", b"PK\x03\x04rubbish", "damaged"),
         ("a.xyz", b"rubbish", r"ends in '.xyz'.*These are read: .*\.bvh"),
-        ("noext", b"rubbish", "has no extension"),
+        ("noext", b"rubbish", "noext does not begin like any format known here"),
         ("a.fbx", b"Kaydara", "FBX files are not read.*BVH"),
         ("a.mat", b"MATLAB", "MATLAB files are not read"),
         ("a.h5", b"\x89HDF", "HDF5 files are not read"),
@@ -157,7 +159,7 @@ def test_a_table_is_told_by_its_header(tmp_path, name, delimiter):
 @pytest.mark.parametrize("text", ["start,stop,label\n1,2,a\n", "one line of words\n", '{"a_x": [1, 2]}\n'])
 def test_other_text_is_no_table(tmp_path, text):
     (tmp_path / "stdin").write_text(text)
-    with pytest.raises(FormatError, match="does not begin like one"):
+    with pytest.raises(FormatError, match="does not begin like any format"):
         io.read(tmp_path / "stdin")
 
 
@@ -291,3 +293,15 @@ def test_a_folder_cannot_be_written_over(tmp_path):
 def test_what_is_no_path_is_refused(source):
     with pytest.raises(ParameterError, match="named by a path"):
         io.read(source)
+
+
+def test_a_file_under_the_ending_of_another_format_is_read_and_told(tmp_path):
+    motion = compose_session(seed=1, rate=30).motion
+    right, wrong = tmp_path / "right", tmp_path / "wrong"
+    for extension, other in ((".bvh", ".c3d"), (".c3d", ".bvh"), (".npz", ".npy"), (".trc", ".amc")):
+        named = io.write(motion[:60], right.with_suffix(extension))
+        misnamed = wrong.with_suffix(other)
+        misnamed.write_bytes(named.read_bytes())
+        reading = io.open_recording(misnamed)
+        assert reading.recordings[0] == io.read(named).replace(name=reading.recordings[0].name)
+        assert any(f"ends in {other}, but it begins like" in warning for warning in reading.warnings)

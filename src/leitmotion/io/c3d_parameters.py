@@ -117,8 +117,15 @@ def read_header(source: Source) -> Header:
         When it is no C3D or ends before its data.
     """
     content = source.content
-    if len(content) < BLOCK or content[1] != 0x50:
-        raise source.error("expected the mark 0x50 of a C3D file in its second byte, found another.")
+    if content[1:2] != b"\x50":
+        raise source.error(
+            f"expected the mark 0x50 of a C3D file in its second byte, found {content[1:2].hex() or 'none'}.",
+            remedy="Is this a C3D file?",
+        )
+    if len(content) < BLOCK:
+        raise source.error(
+            f"expected a first block of {BLOCK} bytes, found the end after {len(content)}: the file was cut short."
+        )
     start = (content[0] - 1) * BLOCK
     if start < BLOCK or start + 4 > len(content):
         raise source.error(f"expected the parameters in block {content[0]}, found the end of the file.")

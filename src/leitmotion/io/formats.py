@@ -161,6 +161,8 @@ FORMATS = (
 DOUBTFUL = (".csv", ".json", ".npz", ".tsv", ".txt")
 """Extensions that a recording may have, and much else: a file found somewhere may be something else."""
 
+_LOOSE = {".csv", ".json", ".tsv", ".txt"}  # extensions of files that are told by their columns or keys
+
 EXTENSIONS: dict[str, tuple[Format, ...]] = {
     extension: tuple(form for form in FORMATS if extension in form.extensions)
     for extension in dict.fromkeys(extension for form in FORMATS for extension in form.extensions)
@@ -188,7 +190,8 @@ def recognise(head: bytes, extension: str = "") -> Format | None:
         The first kilobytes of a file.
     extension : str
         How its name ends, with the dot. One that several formats share chooses among these first, then among all, and
-        is the usual one where none looks right; one that no format has tells nothing.
+        is the usual one where none looks right; one that no format has tells nothing. One that a single format has is
+        believed, unless the file begins unlike it and like a format that is told by more than a table's columns.
 
     Returns
     -------
@@ -196,7 +199,14 @@ def recognise(head: bytes, extension: str = "") -> Format | None:
         The format.
     """
     forms = EXTENSIONS.get(extension.lower(), ())
+    candidates = (*forms, *FORMATS)
     if len(forms) == 1:
-        return forms[0]
-    fitting = (form for form in (*forms, *FORMATS) if form.looks is not None and form.looks(head))
+        candidates = (*forms, *(form for form in FORMATS if not set(form.extensions) <= _LOOSE))
+    fitting = (form for form in candidates if form.looks is not None and form.looks(head))
     return next(fitting, forms[-1] if forms else None)
+
+
+def is_misnamed(form: Format, extension: str) -> bool:
+    """Tell whether an extension is that of other formats alone, and is not one of those that say little."""
+    forms = EXTENSIONS.get(extension.lower(), ())
+    return bool(forms) and form not in forms and extension.lower() not in DOUBTFUL

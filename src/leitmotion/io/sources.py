@@ -15,7 +15,7 @@ from pathlib import Path
 from leitmotion.io.companions import first_frame_in
 from leitmotion.io.conform import conform, refuse_useless
 from leitmotion.io.containers import exists, read_file
-from leitmotion.io.formats import Format, readable, recognise
+from leitmotion.io.formats import Format, is_misnamed, readable, recognise
 from leitmotion.io.points import distinct
 from leitmotion.io.reading import Options, Reading, Source
 from leitmotion.io.text import as_text, is_wide
@@ -143,6 +143,10 @@ def _open(path: Path, window: tuple[str, str] | None, options: Options, person: 
     path, content = read_file(first_frame_in(path))
     form = _format_of(path, content)
     warnings: list[str] = []
+    if is_misnamed(form, path.suffix):
+        warnings.append(
+            f"Its name ends in {path.suffix}, but it begins like {form.name} and was read as that."
+        )
     if form.text:
         content = as_text(path, content, warnings)
     opened = Source(path, content, options)
@@ -211,9 +215,9 @@ def _format_of(path: Path, content: bytes) -> Format:
     if (form is None or form.text) and is_wide(head[:64]):
         form = recognise(as_text(path, head, []), path.suffix)
     if form is None:
-        ending = f"ends in {path.suffix!r}" if path.suffix else "has no extension"
+        ending = f" ends in {path.suffix!r}, which is no format known here, and" if path.suffix else ""
         raise FormatError(
-            f"{path.name} {ending}, which is no format known here, and does not begin like one.",
+            f"{path.name}{ending} does not begin like any format known here.",
             remedy=f"These are read: {', '.join(readable())}.",
         )
     if not form.module:
