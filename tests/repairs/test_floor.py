@@ -97,3 +97,18 @@ def test_what_has_no_floor_says_why(walk):
         find_floor(points.replace(positions=points.positions + np.arange(len(points))[:, None, None]))
     with pytest.raises(DataError, match="that is no floor"):
         level_floor(tilted(points, (0, 33), 0.0))
+
+
+@pytest.mark.parametrize("seen", [12, 30, 200])
+def test_a_point_of_the_feet_that_is_hardly_ever_seen_counts_and_is_no_hindrance(rng, seen):
+    """Of many moments few tell the plane, but of every point of the feet those that it takes."""
+    feet = np.array([[0.1, 0.09, 0.0], [0.1, 0.02, 0.15], [-0.1, 0.09, 0.0], [-0.1, 0.02, 0.15]])
+    stood = feet + rng.normal(scale=1e-4, size=(30_000, 4, 3))
+    names = ("LANK", "LTOE", "RANK", "RTOE")
+    whole = find_floor(Trajectories(names, stood, rate=100))
+    for start in range(0, 60, 6):
+        positions = stood.copy()
+        positions[:, 3] = np.nan
+        positions[100 : 100 + seen, 3] = stood[100 : 100 + seen, 3] - [0, 0.015, 0]
+        floor = find_floor(Trajectories(names, positions[start:], rate=100))
+        assert floor.height == pytest.approx(whole.height - 0.015, abs=2e-3)

@@ -32,7 +32,7 @@ NARROWEST_M = 1.0  # what the standing feet must span in a direction for a tilt 
 ABOVE_M = 0.015  # over the plane: farther, a point does not stand on it
 ROUNDS = 30
 LOWEST = 0.2  # share of a point's standing moments that are on the floor for certain
-MOST_MOMENTS = 1500  # that tell the plane, evenly spread
+MOST_MOMENTS = 1500  # that tell the plane, evenly spread over those of each point
 FEWEST = 10  # moments at which a point of a foot stands, at least
 STEEPEST = np.radians(30)
 
@@ -175,7 +175,7 @@ def level_floor(
 
 def _fit(points: np.ndarray, which: np.ndarray, kinds: int) -> Floor:
     """Fit y = slope . (x, z) + offset of each kind, along the directions in which what lies on it tells the slope."""
-    keep = slice(None, None, max(1, len(points) // MOST_MOMENTS))
+    keep = _spread(which, kinds)
     points, which = points[keep], which[keep]
     heights, centre = points[:, 1], points[:, [0, 2]].mean(axis=0)
     flat = points[:, [0, 2]] - centre
@@ -191,6 +191,13 @@ def _fit(points: np.ndarray, which: np.ndarray, kinds: int) -> Floor:
     height = float(solution[len(axes) :].min() - slopes @ centre)
     slope = (float(slopes[0]), float(slopes[1]))
     return Floor(height, slope, int(kept.sum()), float(kept.mean()), 2 - len(axes))
+
+
+def _spread(which: np.ndarray, kinds: int) -> np.ndarray:
+    """Moments evenly spread over those of each kind, so many that none is left without any."""
+    step = max(1, len(which) // MOST_MOMENTS)
+    own = [np.flatnonzero(which == k) for k in range(kinds)]
+    return np.concatenate([moments[:: max(1, min(step, len(moments) // FEWEST))] for moments in own])
 
 
 def _directions(flat: np.ndarray, which: np.ndarray, kinds: int) -> tuple[np.ndarray, np.ndarray]:
