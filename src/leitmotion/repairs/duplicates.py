@@ -9,7 +9,8 @@ from __future__ import annotations
 import numpy as np
 
 from leitmotion.motion import Motion, ParameterError, Trajectories, rotations
-from leitmotion.repairs.repaired import Change, Recording, Repaired, need_recording, runs
+from leitmotion.repairs.lines import line, shares
+from leitmotion.repairs.repaired import Change, Recording, Repaired, need_recording, placed_anew, runs
 
 LONGEST_S = 0.5
 
@@ -94,11 +95,11 @@ def replace_duplicates(
         positions = recording.positions.copy()
         for start, stop in fit:
             positions[start:stop] = np.nan if leave == "gap" else _between(positions, start, stop)
-        return Repaired(recording.replace(positions=positions), changes, remarks)
+        return Repaired(placed_anew(recording, positions), changes, remarks)
     places, turns = recording.local_positions.copy(), recording.local_rotations.copy()
     for start, stop in fit:
         places[start:stop] = _between(places, start, stop)
-        share = _shares(start, stop)[:, None]
+        share = shares(start, stop)[:, None]
         ends = turns[start - 1 : start], turns[stop : stop + 1]
         turned = rotations.slerp(*ends, share)
         moved = (ends[0] != ends[1]).any(axis=2)[0]
@@ -112,17 +113,10 @@ def _repeats(recording: Recording) -> np.ndarray:
     return repeated_frames(np.concatenate((recording.local_positions, recording.local_rotations), axis=2))
 
 
-def _shares(start: int, stop: int) -> np.ndarray:
-    shares: np.ndarray = (np.arange(start, stop) - (start - 1)) / (stop - start + 1)
-    return shares
-
-
 def _between(paths: np.ndarray, start: int, stop: int) -> np.ndarray:
     """The line from the repeated frame to the next; what either lacks, or what does not move, stays."""
-    share = _shares(start, stop)[:, None, None]
-    first, last = paths[start - 1], paths[stop]
-    line = (1 - share) * first + share * last
-    return np.where((first == last) | np.isnan(line), paths[start:stop], line)
+    straight = line(paths, start, stop)
+    return np.where((paths[start - 1] == paths[stop]) | np.isnan(straight), paths[start:stop], straight)
 
 
 def _frames(count: int) -> str:

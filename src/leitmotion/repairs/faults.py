@@ -10,6 +10,7 @@ import numpy as np
 from leitmotion.motion import Trajectories
 from leitmotion.repairs.duplicates import LONGEST_S, repeated_frames
 from leitmotion.repairs.frozen import find_frozen
+from leitmotion.repairs.gaps import SPLINE_S
 from leitmotion.repairs.problem import Examined, Problem
 from leitmotion.repairs.repaired import listed, runs
 from leitmotion.repairs.rigid import companions
@@ -23,7 +24,6 @@ DRIFTING = 0.15  # of a bone's length: markers on the skin move it by less
 PARTS = 3  # of a recording whose bone lengths are compared: a fault of a moment moves the median of none
 FEWEST_FRAMES = 25  # of each part
 BONES = (("hip", "knee"), ("knee", "ankle"), ("shoulder", "elbow"), ("elbow", "wrist"))
-SPLINE_S = 0.2  # a shorter gap is better filled by a spline than by neighbours (docs/benchmarks.md)
 SURE = 0.8  # roles less sure than this have no bone to speak of
 
 

@@ -11,7 +11,7 @@ from typing import NamedTuple
 import numpy as np
 
 from leitmotion.motion import Trajectories
-from leitmotion.repairs.repaired import Change, Repaired, need_points, runs
+from leitmotion.repairs.repaired import Change, Repaired, need_points, placed_anew, runs
 from leitmotion.repairs.usual import least_step
 
 SHORTEST_S = 0.25
@@ -105,4 +105,4 @@ def release_frozen(trajectories: Trajectories) -> Repaired:
     for joint, start, stop in frozen:
         positions[start:stop, trajectories.names.index(joint)] = np.nan
         changes.append(Change("frozen", joint, start, stop, "stood still while the others moved; now unseen"))
-    return Repaired(trajectories.replace(positions=positions), tuple(changes))
+    return Repaired(placed_anew(trajectories, positions), tuple(changes))

@@ -12,10 +12,12 @@ from __future__ import annotations
 import numpy as np
 
 from leitmotion.motion import ParameterError, Trajectories
-from leitmotion.repairs.repaired import Change, Repaired, listed, need_points, runs
+from leitmotion.repairs.lines import line, shares
+from leitmotion.repairs.repaired import Change, Repaired, listed, need_points, placed_anew, runs
 from leitmotion.repairs.rigid import MOST, carried, companions, spanning
 
-LONGEST_S = {"linear": 0.2, "spline": 0.2, "rigid": 1.0}
+SPLINE_S = 0.2  # a gap up to this long is better filled by a spline than by neighbours (docs/benchmarks.md)
+LONGEST_S = {"linear": 0.2, "spline": SPLINE_S, "rigid": 1.0}
 """Methods, and the longest gap that each fills unless told otherwise, seconds."""
 KNOTS = 8  # frames on each side that a spline runs through
 
@@ -36,14 +38,16 @@ def fill_gaps(
         (two in a plane) and not in a line, carry it along, from the last frame before the gap and from the first
         after it; the two answers are blended in proportion to the time, so that both ends fit. A piece cut out of a
         rigid body is restored exactly. A gap that too few such points bridge is filled by a spline if it is not
-        longer than that fills; the change says so.
+        longer than that fills; the change says so. Markers on the skin are not quite a rigid body: up to 0.2 s a
+        spline is nearer to the truth, so that "spline" first and then "rigid" is better than "rigid" alone.
     max_gap_s : float, optional
         The longest gap to fill, seconds; by default 0.2, and 1 for "rigid".
 
     Returns
     -------
     Repaired
-        The points, a change "fill" for every gap that was filled, and a remark that counts those that were not.
+        The points, a change "fill" for every gap that was filled, and a remark that counts those that were not. The
+        confidence of a filled stretch is the lesser of those before and after it.
 
     Raises
     ------
@@ -95,7 +99,7 @@ def fill_gaps(
         )
         if names
     ]
-    recording = trajectories.replace(positions=positions) if changes else trajectories
+    recording = placed_anew(trajectories, positions) if changes else trajectories
     return Repaired(recording, tuple(changes), tuple(remarks))
 
 
@@ -113,18 +117,12 @@ def _filled(
         helpers = _helpers(positions, start, stop, body)
         if helpers.size:
             return f"rigid, by {helpers.size} neighbours", _by_body(positions, point, start, stop, helpers)
-        if stop - start > LONGEST_S["spline"] * rate + 1e-6:
+        if stop - start > SPLINE_S * rate + 1e-6:
             return "", None
         return "spline, as no three neighbours bridge it", _by_spline(positions[:, point], start, stop)
     if method == "spline":
         return "spline", _by_spline(positions[:, point], start, stop)
-    return "linear", _by_line(positions[:, point], start, stop)
-
-
-def _by_line(path: np.ndarray, start: int, stop: int) -> np.ndarray:
-    share = (np.arange(start, stop) - (start - 1))[:, None] / (stop - start + 1)
-    line: np.ndarray = (1 - share) * path[start - 1] + share * path[stop]
-    return line
+    return "linear", line(positions[:, point], start, stop)
 
 
 def _by_spline(path: np.ndarray, start: int, stop: int) -> np.ndarray:
@@ -148,6 +146,6 @@ def _by_body(positions: np.ndarray, point: int, start: int, stop: int, helpers: 
     gap = positions[start:stop, helpers]
     from_before = carried(positions[start - 1, helpers], gap, positions[start - 1, point])
     from_after = carried(positions[stop, helpers], gap, positions[stop, point])
-    share = (np.arange(start, stop) - (start - 1))[:, None] / (stop - start + 1)
+    share = shares(start, stop)[:, None]
     blend: np.ndarray = (1 - share) * from_before + share * from_after
     return blend

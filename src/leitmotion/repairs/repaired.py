@@ -95,6 +95,40 @@ def need_recording(recording: object, remedy: str) -> Recording:
     return recording
 
 
+def placed_anew(trajectories: Trajectories, positions: np.ndarray) -> Trajectories:
+    """Give points the places that a remedy has found, and say how sure these are.
+
+    Parameters
+    ----------
+    trajectories : Trajectories
+        T frames of P points.
+    positions : (T, P, C) float
+        Where they are now.
+
+    Returns
+    -------
+    Trajectories
+        The points in these places. Where a place is new, the confidence is the lesser of those before and after the
+        stretch, from which it was made, and 0 where the point is now unseen; where none is new, it stays.
+
+    Examples
+    --------
+    >>> held = Trajectories(("LFIN",), np.ones((4, 1, 3)), rate=30, confidence=[[0.9], [0.1], [1.0], [0.8]])
+    >>> placed_anew(held, held.positions * [[[1]], [[2]], [[1]], [[np.nan]]]).confidence[:, 0].tolist()
+    [0.9, 0.9, 1.0, 0.0]
+    """
+    if trajectories.confidence is None:
+        return trajectories.replace(positions=positions)
+    sure, before = trajectories.confidence.copy(), trajectories.positions
+    new = ((before != positions) & ~(np.isnan(before) & np.isnan(positions))).any(axis=2)
+    seen = np.isfinite(positions).all(axis=2)
+    for point in np.flatnonzero(new.any(axis=0)):
+        for start, stop in runs(new[:, point]):
+            ends = trajectories.confidence[[max(start - 1, 0), min(stop, len(sure) - 1)], point]
+            sure[start:stop, point] = np.where(seen[start:stop, point], ends.min(), 0.0)
+    return trajectories.replace(positions=positions, confidence=sure)
+
+
 def runs(flags: np.ndarray) -> list[tuple[int, int]]:
     """Find the stretches in which a flag is set.
 

@@ -19,7 +19,8 @@ from typing import NamedTuple
 import numpy as np
 
 from leitmotion.motion import Motion, ParameterError, Trajectories, rotations
-from leitmotion.repairs.repaired import Change, Recording, Repaired, need_recording
+from leitmotion.repairs.lines import line, shares
+from leitmotion.repairs.repaired import Change, Recording, Repaired, need_recording, placed_anew
 from leitmotion.repairs.rigid import MOST, carried, companions, spanning
 from leitmotion.repairs.usual import least_step, usual_around
 
@@ -127,9 +128,9 @@ def remove_spikes(recording: Recording, *, leave: str = "line") -> Repaired:
         positions = recording.positions.copy()
         for joint, start, stop, *_ in spikes:
             path = positions[:, recording.names.index(joint)]
-            path[start:stop] = np.nan if leave == "gap" else _line(path, start, stop)
+            path[start:stop] = np.nan if leave == "gap" else line(path, start, stop)
         changes = [_told(spike, f"{_height(spike, recording.unit)}, {replaced}") for spike in spikes]
-        return Repaired(recording.replace(positions=positions), tuple(changes))
+        return Repaired(placed_anew(recording, positions), tuple(changes))
     return _of_motion(recording, spikes, replaced)
 
 
@@ -139,16 +140,17 @@ def _of_motion(motion: Motion, spikes: tuple[Spike, ...], replaced: str) -> Repa
     for spike in spikes:
         joint = motion.skeleton.index(spike.joint)
         if spike.of == "turn":
-            share = (np.arange(spike.start, spike.stop) - (spike.start - 1)) / (spike.stop - spike.start + 1)
             before, after = turned[spike.start - 1, joint], turned[spike.stop, joint]
-            turned[spike.start : spike.stop, joint] = rotations.slerp(before[None], after[None], share)
+            turned[spike.start : spike.stop, joint] = rotations.slerp(
+                before[None], after[None], shares(spike.start, spike.stop)
+            )
             turned[:, joint] = rotations.continuous(
                 turned[:, joint]
             )  # a half turn may have turned the sign behind it
             changes.append(_told(spike, f"a turn of {spike.height:.0f} degrees, {replaced}"))
         else:
             path = places[:, joint]
-            path[spike.start : spike.stop] = _line(path, spike.start, spike.stop)
+            path[spike.start : spike.stop] = line(path, spike.start, spike.stop)
             changes.append(_told(spike, f"{_height(spike, 'm')}, {replaced}"))
     return Repaired(motion.replace(local_rotations=turned, local_positions=places), tuple(changes))
 
@@ -218,12 +220,6 @@ def _breaks_away(
         return True
     expected = carried(around[0, steady], around[1:, steady], around[0, point])
     return bool(np.linalg.norm(around[1:, point] - expected, axis=1).max() > height / 2)
-
-
-def _line(path: np.ndarray, start: int, stop: int) -> np.ndarray:
-    share = (np.arange(start, stop) - (start - 1))[:, None] / (stop - start + 1)
-    line: np.ndarray = (1 - share) * path[start - 1] + share * path[stop]
-    return line
 
 
 def _told(spike: Spike, detail: str) -> Change:
