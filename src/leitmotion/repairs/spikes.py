@@ -14,6 +14,7 @@ References
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -76,13 +77,18 @@ def find_spikes(recording: Recording) -> tuple[Spike, ...]:
         kept = [spike for spike in found if _breaks_away(recording.positions, steady[spike[0]], *spike)]
         return tuple(Spike(recording.names[point], start, stop, high) for point, start, stop, high in kept)
     names, places = recording.skeleton.names, recording.local_positions
-    turns = _spikes(_free_of_sign(recording.local_rotations), recording.rate, SMALLEST_TURN)
+    sudden = _sudden(recording.local_rotations)
+    turns = _spikes(_free_of_sign(recording.local_rotations[:, sudden]), recording.rate, SMALLEST_TURN)
     shifts = _spikes(places[:, :1], recording.rate, SMALLEST_M)
     return tuple(
         Spike(
-            names[joint], start, stop, float(np.degrees(2 * np.arcsin(min(1.0, high / np.sqrt(2))))), "turn"
+            names[sudden[place]],
+            start,
+            stop,
+            float(np.degrees(2 * np.arcsin(min(1.0, high / np.sqrt(2))))),
+            "turn",
         )
-        for joint, start, stop, high in turns
+        for place, start, stop, high in turns
     ) + tuple(Spike(names[joint], start, stop, high) for joint, start, stop, high in shifts)
 
 
@@ -170,11 +176,12 @@ def _spikes(paths: np.ndarray, rate: float, floor: float) -> list[tuple[int, int
         with np.errstate(invalid="ignore"):
             returns = (back < -0.5 * sizes[:last] * sizes[length:]) & (smaller > 0.5 * floor)
         starts, points = np.nonzero(returns)
-        high = _heights(paths, starts, points, length)
+        high = _heights([paths[starts + k, points] for k in range(length + 2)])
         leaps = (high > floor) & (smaller[starts, points] > 0.5 * high)
         starts, points, high = starts[leaps], points[leaps], high[leaps]
         for point in np.unique(points):  # few have any
-            whole = _heights(paths, np.arange(last), np.full(last, point), length)
+            path = np.ascontiguousarray(paths[:, point])
+            whole = _heights([path[k : k + last] for k in range(length + 2)])
             usual = usual_around(whole[:, None], rate)[:, 0]
             for start, height in zip(starts[points == point], high[points == point], strict=True):
                 if height > UNUSUAL * usual[start]:
@@ -189,13 +196,18 @@ def _free_of_sign(quaternions: np.ndarray) -> np.ndarray:
     return squares.reshape(*quaternions.shape[:2], 16)
 
 
-def _heights(paths: np.ndarray, starts: np.ndarray, points: np.ndarray, length: int) -> np.ndarray:
-    """How far runs of so many frames behind some starts are, at the least, from the line between the frames around."""
-    before, after = paths[starts, points], paths[starts + length + 1, points]
-    heights = np.full(len(starts), np.inf)
-    for k in range(1, length + 1):
-        share = k / (length + 1)
-        off = np.linalg.norm(paths[starts + k, points] - (1 - share) * before - share * after, axis=1)
+def _sudden(quaternions: np.ndarray) -> np.ndarray:
+    """The joints that ever turn from frame to frame by about half of the smallest spike: no other has one."""
+    cosines = np.einsum("tjc,tjc->tj", quaternions[1:], quaternions[:-1])
+    return np.flatnonzero((2 * (1 - cosines**2) > (0.49 * SMALLEST_TURN) ** 2).any(axis=0))
+
+
+def _heights(frames: Sequence[np.ndarray]) -> np.ndarray:
+    """How far runs are, at the least, from the line between the frames around, given all runs frame by frame."""
+    before, *inside, after = frames
+    heights = np.full(len(before), np.inf)
+    for place, share in zip(inside, shares(1, len(frames) - 1), strict=True):
+        off = np.linalg.norm(place - (1 - share) * before - share * after, axis=1)
         heights = np.minimum(heights, off)
     return heights
 
