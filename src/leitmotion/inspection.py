@@ -14,7 +14,7 @@ from pathlib import Path
 
 import numpy as np
 
-from leitmotion.body import Body, BodyMap, SideCheck, check_sides, embody, find_roles, map_from
+from leitmotion.body import Body, BodyMap, SideCheck, check_sides, embody, map_of
 from leitmotion.body import swap_sides as exchanged
 from leitmotion.io import Finding, Reading, open_recording
 from leitmotion.io.units import METRES
@@ -153,10 +153,7 @@ def _describe(
     body_map: BodyMap | Mapping[str, str | list[str]] | None,
     swap_sides: bool,
 ) -> Info:
-    if body_map is None:
-        body_map = find_roles(recording)
-    elif not isinstance(body_map, BodyMap):
-        body_map = map_from(body_map, recording)
+    body_map = map_of(recording, body_map)
     if swap_sides:
         body_map = exchanged(body_map)
     body, unsized = _embodied(recording, body_map)

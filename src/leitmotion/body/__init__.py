@@ -2,7 +2,7 @@
 
 from leitmotion.body.body import Body, BodyMap, swap_sides
 from leitmotion.body.embody import embody
-from leitmotion.body.mapfile import map_from, map_to_entries
+from leitmotion.body.mapfile import map_from, map_of, map_to_entries
 from leitmotion.body.mapping import find_roles
 from leitmotion.body.roles import ANALYSIS_ROLES, LINKS, ROLES, links_between, mirror_role
 from leitmotion.body.sides import SideCheck, check_sides
@@ -19,6 +19,7 @@ __all__ = [
     "find_roles",
     "links_between",
     "map_from",
+    "map_of",
     "map_to_entries",
     "mirror_role",
     "swap_sides",

@@ -8,8 +8,7 @@ import numpy as np
 
 from leitmotion.body.body import Body, BodyMap
 from leitmotion.body.facing import yaw_of_trunk
-from leitmotion.body.mapfile import map_from
-from leitmotion.body.mapping import find_roles
+from leitmotion.body.mapfile import map_of
 from leitmotion.body.names import parse_names
 from leitmotion.body.roles import ANALYSIS_ROLES
 from leitmotion.body.size import size_of_body, size_of_cloud
@@ -71,10 +70,7 @@ def embody(
     """
     if len(recording) == 0:
         raise DataError(f"A body needs at least one frame, {recording.name or 'the recording'} has none.")
-    if body_map is None:
-        body_map = find_roles(recording)
-    elif not isinstance(body_map, BodyMap):
-        body_map = map_from(body_map, recording)
+    body_map = map_of(recording, body_map)
     names, positions = _points(recording)
     _check_members(body_map, names)
     place = {name: i for i, name in enumerate(names)}

@@ -86,6 +86,24 @@ def by_role(
     return {role: positions[:, [place[n] for n in those]].mean(axis=1) for role, those in members.items()}
 
 
+def between(points: Mapping[str, np.ndarray], start: str, end: str) -> np.ndarray | None:
+    """Tell the way from one role to another.
+
+    Parameters
+    ----------
+    points : mapping of str to (M, C) float
+        Positions by role.
+    start, end : str
+        Two roles.
+
+    Returns
+    -------
+    (M, C) float or None
+        The way, NaN where either is unseen; None where either is unknown.
+    """
+    return points[end] - points[start] if start in points and end in points else None
+
+
 def typical(values: np.ndarray) -> float:
     """Median of what is finite; NaN, against which every comparison is false, where nothing is."""
     values = values[np.isfinite(values)]

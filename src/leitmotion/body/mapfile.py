@@ -13,6 +13,7 @@ from difflib import get_close_matches
 import numpy as np
 
 from leitmotion.body.body import BodyMap
+from leitmotion.body.mapping import find_roles
 from leitmotion.body.roles import ROLES
 from leitmotion.motion import Motion, ParameterError, Trajectories
 
@@ -59,6 +60,40 @@ def map_from(entries: Mapping[str, str | Sequence[str]], recording: Motion | Tra
     members = {role: _members(role, entry, names) for role, entry in entries.items()}
     roles = tuple(role for role in ROLES if role in members)
     return BodyMap(roles, tuple(members[role] for role in roles), np.ones(len(roles)))
+
+
+def map_of(
+    recording: Motion | Trajectories, body_map: BodyMap | Mapping[str, str | Sequence[str]] | None = None
+) -> BodyMap:
+    """Take the body map that was given, in whichever form, or find one.
+
+    Parameters
+    ----------
+    recording : Motion or Trajectories
+        What the map is for.
+    body_map : BodyMap or mapping of str, optional
+        Which joints or points stand for which role; by default what :func:`find_roles` finds.
+
+    Returns
+    -------
+    BodyMap
+        The map; the very same value where it is one already.
+
+    Raises
+    ------
+    ParameterError
+        As for :func:`map_from`.
+
+    Examples
+    --------
+    >>> from leitmotion.motion import Trajectories
+    >>> two = Trajectories(("LKNE", "m2"), np.zeros((1, 2, 3)), rate=100)
+    >>> map_of(two).roles, map_of(two, {"head": "m2"}).roles
+    (('left_knee',), ('head',))
+    """
+    if body_map is None:
+        return find_roles(recording)
+    return body_map if isinstance(body_map, BodyMap) else map_from(body_map, recording)
 
 
 def map_to_entries(body_map: BodyMap) -> dict[str, str | list[str]]:

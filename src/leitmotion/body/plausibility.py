@@ -9,7 +9,7 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from leitmotion.body.look import typical
+from leitmotion.body.look import between, typical
 
 SEGMENTS = (("hip", "knee"), ("knee", "ankle"), ("shoulder", "elbow"), ("elbow", "wrist"))
 LARGEST_RATIO = 1.5  # of one bone's length on the two sides; people differ by a few per cent
@@ -56,11 +56,7 @@ def _height(points: Mapping[str, np.ndarray]) -> float:
     return typical(np.ptp(seen, axis=1).max(axis=1)) if len(seen) else np.nan
 
 
-def _between(points: Mapping[str, np.ndarray], start: str, end: str) -> np.ndarray | None:
-    return points[end] - points[start] if start in points and end in points else None
-
-
 def _distance(points: Mapping[str, np.ndarray], start: str, end: str) -> float:
     """Median distance; NaN, against which every comparison is false, where it cannot be told."""
-    step = _between(points, start, end)
+    step = between(points, start, end)
     return np.nan if step is None else typical(np.linalg.norm(step, axis=-1))

@@ -20,7 +20,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from leitmotion.body.body import BodyMap
-from leitmotion.body.look import by_role, look_at, typical
+from leitmotion.body.look import between, by_role, look_at, typical
 from leitmotion.motion import Motion, Trajectories
 
 Points = Mapping[str, np.ndarray]
@@ -158,7 +158,7 @@ def _in_words(votes: Mapping[str, float]) -> str:
 
 
 def _feet(now: Points, front: np.ndarray) -> float | None:
-    left, right = (_between(now, f"{side}_ankle", f"{side}_toe") for side in ("left", "right"))
+    left, right = (between(now, f"{side}_ankle", f"{side}_toe") for side in ("left", "right"))
     if left is None or right is None:
         return None
     lower = now["left_ankle"][:, 1] < now["right_ankle"][:, 1]
@@ -178,7 +178,7 @@ def _elbows(now: Points, front: np.ndarray) -> float | None:
     up, votes = _up(now), []
     for side in ("left", "right"):
         vote = _hinge(now, side, ("shoulder", "elbow", "wrist"), front)
-        arm = _between(now, f"{side}_shoulder", f"{side}_elbow")
+        arm = between(now, f"{side}_shoulder", f"{side}_elbow")
         if vote is not None and arm is not None and up is not None:
             votes.append(np.where(_dot(_unit(arm), _unit(up)) < -HANGING, -vote, np.nan))
     return _vote(np.concatenate(votes)) if votes else None
@@ -199,8 +199,8 @@ def _walking(now: Points, later: Points, front: np.ndarray, step: float, duratio
 
 def _hinge(now: Points, side: str, roles: tuple[str, str, str], front: np.ndarray) -> np.ndarray | None:
     """How far before the line between its neighbours a bent joint stands, in upper bones; NaN where it is straight."""
-    upper = _between(now, f"{side}_{roles[0]}", f"{side}_{roles[1]}")
-    whole = _between(now, f"{side}_{roles[0]}", f"{side}_{roles[2]}")
+    upper = between(now, f"{side}_{roles[0]}", f"{side}_{roles[1]}")
+    whole = between(now, f"{side}_{roles[0]}", f"{side}_{roles[2]}")
     if upper is None or whole is None:
         return None
     line = _unit(whole)
@@ -217,19 +217,15 @@ def _front(now: Points) -> np.ndarray | None:
 
 
 def _up(now: Points) -> np.ndarray | None:
-    trunk = _between(now, "pelvis", "neck")
-    legs = [_between(now, f"{side}_ankle", "pelvis") for side in ("left", "right")]
+    trunk = between(now, "pelvis", "neck")
+    legs = [between(now, f"{side}_ankle", "pelvis") for side in ("left", "right")]
     if trunk is not None or legs[0] is None or legs[1] is None:
         return trunk
     return legs[0] + legs[1]
 
 
 def _across(now: Points, pair: str) -> np.ndarray | None:
-    return _between(now, f"right_{pair}", f"left_{pair}")
-
-
-def _between(now: Points, start: str, end: str) -> np.ndarray | None:
-    return now[end] - now[start] if start in now and end in now else None
+    return between(now, f"right_{pair}", f"left_{pair}")
 
 
 def _vote(ahead: np.ndarray) -> float | None:

@@ -14,7 +14,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from leitmotion.body import BodyMap, find_roles, map_from
+from leitmotion.body import BodyMap, map_of
 from leitmotion.body.names import parse_names
 from leitmotion.motion import (
     DataError,
@@ -262,10 +262,7 @@ def _feet(recording: Recording, body_map: BodyMap | Mapping[str, str | Sequence[
     """Every point of the feet, (T, K, 3)."""
     if isinstance(recording, Trajectories) and (recording.unit != "m" or recording.positions.shape[2] != 3):
         raise DataError("A floor is found in metres and in space; these points are not in both.")
-    if body_map is None:
-        body_map = find_roles(recording)
-    elif not isinstance(body_map, BodyMap):
-        body_map = map_from(body_map, recording)
+    body_map = map_of(recording, body_map)
     members = dict(zip(body_map.roles, body_map.members, strict=True))
     named = [
         name

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-from leitmotion.body import BodyMap, find_roles, map_from, mirror_role
+from leitmotion.body import BodyMap, map_of, mirror_role
 from leitmotion.body.names import PointName, parse_names
 from leitmotion.motion import Motion, ParameterError
 from leitmotion.repairs.repaired import Change, Recording, Repaired, listed, need_recording
@@ -41,10 +41,7 @@ def mirror_partners(
     >>> mirror_partners(Trajectories(("LKNE", "RKNE", "C7", "RBAK"), four, rate=100))
     {'LKNE': 'RKNE', 'RKNE': 'LKNE'}
     """
-    if body_map is None:
-        body_map = find_roles(recording)
-    elif not isinstance(body_map, BodyMap):
-        body_map = map_from(body_map, recording)
+    body_map = map_of(recording, body_map)
     names = recording.skeleton.names if isinstance(recording, Motion) else recording.names
     alone = {
         role: members[0]
