@@ -129,3 +129,12 @@ def test_an_unknown_method_is_refused(rng):
         fill_gaps(tumbling(rng), method="magic")
     with pytest.raises(ParameterError, match="positive number of seconds"):
         fill_gaps(tumbling(rng), max_gap_s=-1.0)
+
+
+def test_filled_twice_short_gaps_are_the_splines_and_long_ones_the_neighbours(rng):
+    lost = cut(cut(tumbling(rng), 1, 60, 80), 3, 100, 121)
+    first = fill_gaps(lost, method="spline")
+    second = fill_gaps(first.recording, method="rigid")
+    told = [(change.joint, change.detail) for change in (*first.changes, *second.changes)]
+    assert told == [("p1", "spline"), ("p3", "rigid, by 4 neighbours")]
+    assert first.remarks == ("1 gap longer than 0.2 s was left (p3).",)
