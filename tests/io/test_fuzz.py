@@ -18,6 +18,7 @@ from fuzzing.spoil import DAMAGES, spoil
 from leitmotion import io
 from leitmotion.io import formats
 from leitmotion.io.formats import FORMATS
+from leitmotion.motion import LeitmotionError
 
 EXAMPLES = 60  # of each format; they take half a minute together
 REAL = 12  # of each real recording
@@ -96,6 +97,35 @@ def test_a_file_cut_anywhere_gives_a_recording_or_a_sentence(name):
     target = SPOILED.get(name, next(iter(files)))
     for content in every_cut(files[target]):
         check(files | {target: content})
+
+
+ROWS = {
+    name: make
+    for name, make in SEEDS.items()
+    if name.startswith(("AMC", "TRC", "OpenSim", "Qualisys", "UI-PRMD", "Kinect", "Motive", "Nexus", "DeepLabCut",
+                        "table", "BVH of"))
+    and not name.endswith(".zip")
+}  # fmt: skip
+"""Seeds of texts with a row a frame."""
+
+
+@pytest.mark.parametrize("name", ROWS)
+def test_a_text_that_ends_within_its_last_row_is_a_warning_or_a_sentence(tmp_path, name):
+    """Wherever the cut lies before the last cell; of a cut within its digits a few rows tell nothing."""
+    files = ROWS[name]()
+    target = next(iter(files))
+    content = files[target]
+    whole = content.rstrip()
+    begin = whole.rfind(b"\n") + 1
+    cells = [k for k in range(begin, len(whole)) if whole[k : k + 1] in b" ,;\t"]
+    usual = len(io.open_recording(put(tmp_path, files)).warnings)
+    first = begin + 1 + content[begin:].startswith(b'"')  # a quote alone holds nothing
+    for stop in range(first, cells[-1] + 1):
+        try:
+            reading = io.open_recording(put(tmp_path, files | {target: content[:stop]}))
+        except LeitmotionError:
+            continue
+        assert len(reading.warnings) > usual, content[begin:stop]
 
 
 RUBBISH = {

@@ -85,3 +85,54 @@ def test_a_cell_of_words_keeps_its_column():
 def test_short_rows_of_a_table_end_in_missing_cells():
     read = rows("1\t2\t3\n4\n\n\t\t6\n", 3, delimiter="\t", missing=True)
     np.testing.assert_array_equal(read.values, [[1, 2, 3], [4, np.nan, np.nan], [np.nan, np.nan, 6]])
+
+
+@pytest.mark.parametrize(
+    ("delimiter", "last"),
+    [(",", "7,8"), (",", "7,8\n"), ("\t", "7\t8"), (" ", "7 8"), (",", "7,n"), (",", "7"), ("\t", "7\t1e")],
+)
+def test_a_last_row_of_fewer_cells_than_all_others_is_left_out_and_told(delimiter, last):
+    text = (
+        "1,2,3\n4,5,\n\n4,,6\n".replace(",", delimiter) if delimiter != " " else "1 2 3\n4 5 nan\n4 nan 6\n"
+    )
+    read = rows(text + last, 3, delimiter=delimiter, missing=True)
+    warnings = []
+    read.tell_cut(Source(Path("table.txt"), (text + last).encode()), warnings)
+    assert len(read.values) == 3
+    assert warnings == ["The file ends within its row 4; the whole rows before it were read."]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "1,2,3\n4,5,6",  # nothing follows the last row: many programs leave the line feed out
+        "1,2,3\n4,5,",  # the last point is unseen in a table of few rows
+        "1,2\n4,5\n",  # no row has the last column
+        "1,2,3\n4\n5\n",  # rows are short, whichever
+        "1,2,3,\n4,5,6",  # what ends the others is no cell
+        "4,5",  # nothing to compare with
+        "1.25,0.5,2.5\n" * 19 + "1.25,0.5,2",  # too few rows to tell how the writer rounds
+        "1.25,0.5,2.5\n" * 30 + "1.25,0.5,2\n",  # a line feed follows
+        "1.25,0.5,2.5\n" * 30 + "1.25,0.5,2.75",
+        "1.25,0.5,2.5\n" + "1.25,0.5,2.25\n" * 18 + "1,1,1.5\n1,1,1",
+        "1,1,7\n" * 30 + "1,1,7",
+    ],
+)
+def test_a_last_row_that_may_be_whole_is_read(text):
+    read = rows(text, text.partition("\n")[0].count(",") + 1, delimiter=",", missing=True)
+    assert not read.cut
+    assert len(read.values) == text.rstrip().count("\n") + 1
+
+
+@pytest.mark.parametrize("last", ["0.12", "0.1", "0.", "0", "-", ""])
+def test_a_last_number_with_fewer_decimals_than_all_others_is_cut(last):
+    text = "".join(f"{k},{k / 7:.3f}\n" for k in range(40)) + f"40,{last}"
+    read = rows(text, 2, delimiter=",", missing=True)
+    assert read.cut
+    assert len(read.values) == 40
+
+
+@pytest.mark.parametrize("last", ["1.25e-0", "1.25e-", "1.25e", "1.25", "1.2"])
+def test_a_last_number_with_a_shorter_exponent_than_all_others_is_cut(last):
+    text = "".join(f"{k / 7:.2e} {k / 7:.2e}\n" for k in range(40)) + f"1.25e-01 {last}"
+    assert len(rows(text, 2, missing=True, whole=True).values) == 40

@@ -19,7 +19,6 @@ _SNAP = 0.02  # how far, relatively, a rate may lie from the reciprocal of its f
 _ROUNDED = 2e-3  # how far, relatively, milliseconds may lie from those of a usual rate
 
 _FACT = re.compile(rb"\s*(Frames|Frame\s*Time)\s*:?[ \t]*(\S*)", re.IGNORECASE)
-_WORDS = re.compile(rb"#|//|[a-z]{4}", re.IGNORECASE)  # what a remark has and a number has not
 
 
 class Header(NamedTuple):
@@ -109,14 +108,7 @@ def read_frames(source: Source, header: Header, columns: int, warnings: list[str
             )
             return values.reshape(promised, columns)
     rows = read_rows(source, header.start, columns, missing=True, whole=True)
-    if rows.cut:
-        last = source.content.rstrip().rpartition(b"\n")[2]
-        if _WORDS.search(last):
-            warnings.append(f"The last line is no row of numbers and was left out: {glimpse(last)}.")
-        else:
-            warnings.append(
-                f"The file ends within its row {len(rows.values) + 1}; the whole rows before it were read."
-            )
+    rows.tell_cut(source, warnings)
     frames = len(rows.values)
     if frames == 0:
         raise source.error("expected at least one row of numbers after the frame time, found none.")

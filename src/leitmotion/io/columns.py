@@ -265,7 +265,9 @@ def read_rows_of(
     rows = read_rows(source, start, len(header), delimiter=delimiter, missing=True, wanted=columns.wanted)
     if len(rows.values) == 0:
         raise source.error("expected a row a frame after the header, found none.")
-    return read_columns(source, header, columns, rows.values, stated)
+    draft = read_columns(source, header, columns, rows.values, stated)
+    rows.tell_cut(source, draft.warnings)
+    return draft
 
 
 def _unit(stated: Mapping[str, str], warnings: list[str]) -> Finding | None:

@@ -78,8 +78,7 @@ def read(source: Source) -> Draft:
     # between blanks no cell is empty, and a row that is short is a row that is broken
     missing = delimiter != " " or re.search(rb"nan", source.content, re.IGNORECASE) is not None
     rows = read_rows(source, 0, count, delimiter=delimiter, missing=missing)
-    if rows.cut:
-        warnings.append("The file ends within a row, which was left out.")
+    rows.tell_cut(source, warnings)
     positions = rows.values.reshape(len(rows.values), len(joints.joints), numbers)[..., :3].copy()
     positions[~np.isfinite(positions).all(axis=-1)] = np.nan
     unseen_in_origin(positions, warnings)

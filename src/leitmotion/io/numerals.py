@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Sequence
 from typing import NamedTuple
 
@@ -26,6 +27,8 @@ MISSING_WORDS = frozenset(
 
 _INFINITE = b"1.#"  # with which Microsoft's C begins what is no number: 1.#IND, 1.#QNAN0
 _LARGEST = 1e150  # the square of a larger number is infinite
+_ALIKE = 20  # rows that end in numbers of one shape before another shape tells that the last is cut
+_WORDS = re.compile(rb"#|//|[a-z]{4}", re.IGNORECASE)  # what a remark has and a number has not
 _ROOM = 64  # how many numbers a byte of a table may stand for before it is refused
 
 
@@ -37,6 +40,27 @@ class Rows(NamedTuple):
 
     cut: bool
     """Whether the text ended within a row, which is left out."""
+
+    def tell_cut(self, source: Source, warnings: list[str]) -> None:
+        """Add a sentence to the warnings where the last row was left out.
+
+        Parameters
+        ----------
+        source : Source
+            The file.
+        warnings : list of str
+            Gains the sentence.
+        """
+        if not self.cut:
+            return
+        start, stop = _last_line(source.content, 0)
+        last = source.content[start:stop]
+        if _WORDS.search(last):
+            warnings.append(f"The last line is no row of numbers and was left out: {glimpse(last)}.")
+        else:
+            warnings.append(
+                f"The file ends within its row {len(self.values) + 1}; the whole rows before it were read."
+            )
 
 
 def as_bytes(content: bytes) -> np.ndarray:
@@ -55,6 +79,10 @@ def read_rows(
     wanted: Sequence[int] | None = None,
 ) -> Rows:
     """Read the lines from byte `start` on as rows of `columns` numbers each.
+
+    A last row is taken as cut, and left out, where it has fewer cells than every other. Where no line feed follows it,
+    it is cut as well where its last number has fewer decimals, or fewer digits of an exponent, than those of the 20 and
+    more rows before it, which all have as many; or where its last cell is empty and theirs are not.
 
     Parameters
     ----------
@@ -87,6 +115,7 @@ def read_rows(
     from leitmotion.io import _kernels
 
     content = source.content
+    end = _end_of_whole_rows(content, start, columns, delimiter)
     capacity = content.count(b"\n", start) + 1
     pad = missing and not whole
     if not pad:
@@ -96,7 +125,7 @@ def read_rows(
     values = np.empty((capacity, columns))
     doubts = np.empty((capacity * columns, 3), dtype=np.int64)
     rows, doubtful, status, stopped, column = _kernels.scan_rows(
-        as_bytes(content), start, ord(delimiter), pad, values, doubts
+        as_bytes(content)[:end], start, ord(delimiter), pad, values, doubts
     )
     inside = doubts[:doubtful]
     if wanted is not None:
@@ -108,7 +137,69 @@ def read_rows(
             found = "more" if status == _kernels.TOO_MANY else f"{column}"
             raise source.fault(stopped, f"{columns} numbers in the row", found)
         status = _kernels.CUT
-    return Rows(values[:rows], bool(status == _kernels.CUT))
+    return Rows(values[:rows], bool(status == _kernels.CUT) or end < len(content))
+
+
+def _last_line(content: bytes, start: int) -> tuple[int, int]:
+    """The bytes of the last line that holds more than blanks, from byte `start` on."""
+    stop = len(content)
+    while stop > start:
+        begin = max(content.rfind(b"\n", start, stop) + 1, start)
+        if content[begin:stop].strip():
+            return begin, stop
+        stop = begin - 1
+    return start, start
+
+
+def _end_of_whole_rows(content: bytes, start: int, columns: int, delimiter: str) -> int:
+    """The byte at which the last row begins where it is cut, else the length of the text."""
+    begin, stop = _last_line(content, start)
+    if begin == start or columns < 2:
+        return len(content)
+    mark = None if delimiter == " " else delimiter.encode()
+    last = content[begin:stop].rstrip(b"\r\n").split(mark)
+    cut = len(last) <= columns and _has_fewer_cells(content[start:begin], last, columns, mark)
+    if not cut and stop == len(content):
+        cut = _ends_in_a_shorter_number(content[start:begin], last[-1], mark)
+    return begin if cut else len(content)
+
+
+def _has_fewer_cells(before: bytes, last: list[bytes], columns: int, mark: bytes | None) -> bool:
+    """Whether a row has fewer cells than every row before; a delimiter with which all of them end counts for none."""
+    if len(last) == columns and last[-1].strip():
+        return False
+    rows = [line.rstrip(b"\r") for line in before.split(b"\n") if line.strip()]
+    if not rows:
+        return False
+    if mark is None:
+        return len(last) < min(len(row.split()) for row in rows)
+    ends = all(row.endswith(mark) for row in rows)
+    cells = len(last) - (ends and not last[-1].strip())
+    return cells < min(row.count(mark) for row in rows) + (not ends)
+
+
+def _ends_in_a_shorter_number(before: bytes, cell: bytes, mark: bytes | None) -> bool:
+    """Whether the last cell is shorter than a writer would have written it that gives all numbers one shape."""
+    shapes: set[tuple[int, int]] = set()
+    stop = len(before)
+    for _ in range(_ALIKE):
+        begin, stop = _last_line(before[:stop], 0)
+        if begin == stop:
+            return False
+        shapes.add(_shape(before[begin:stop].rstrip(b"\r\n").split(mark)[-1]))
+        stop = begin
+    if len(shapes) > 1:
+        return False
+    usual, own = shapes.pop(), _shape(cell)
+    return own[0] < usual[0] or own[1] < usual[1]
+
+
+def _shape(cell: bytes) -> tuple[int, int]:
+    """How many decimals a number has, and how many characters its exponent; an empty cell has -1 of both."""
+    if not cell.strip():
+        return -1, -1
+    mantissa, _, exponent = cell.strip().lower().partition(b"e")
+    return len(mantissa.partition(b".")[2]), len(exponent)
 
 
 def widest_row(content: bytes, delimiter: str) -> int:

@@ -65,8 +65,8 @@ def read(source: Source) -> Draft:
     FormatError
         When it holds neither, or is not what the format says; it names the line.
     """
-    table = _table(source)
     warnings: list[str] = []
+    table = _table(source, warnings)
     coordinates = _coordinates(table)
     if moves_a_body(coordinates):
         return _read_angles(source, table, coordinates, warnings)
@@ -76,7 +76,7 @@ def read(source: Source) -> Draft:
     raise _refusal(source, table)
 
 
-def _table(source: Source) -> _Table:
+def _table(source: Source, warnings: list[str]) -> _Table:
     found = re.search(rb"^endheader[^\n]*(?:\n|\Z)", source.content, re.IGNORECASE | re.MULTILINE)
     if found is None:
         raise source.error("expected a header that ends in the line endheader, found none.")
@@ -101,19 +101,24 @@ def _table(source: Source) -> _Table:
     kind = facts.get("datatype", "double").lower()
     if kind == "vec3":  # cells x,y,z
         names = names[:1] + [f"{name}_{axis}" for name in names[1:] for axis in "XYZ"]
-        rows = re.sub(rb"[()~\[\]]", b"", source.content[stop:]).replace(b",", b"\t")
-        source = replace(source, content=source.content[:stop] + rows)
+        cells = re.sub(rb"[()~\[\]]", b"", source.content[stop:]).replace(b",", b"\t")
+        source = replace(source, content=source.content[:stop] + cells)
     elif kind != "double":
         raise source.error(
             f"expected numbers, found a table of the type {facts['datatype']}.", remedy=_REMEDY
         )
     columns = max(len(names), widest_row(source.content[stop + 1 :], delimiter))
-    values = read_rows(
+    rows = read_rows(
         source, stop + 1, columns, delimiter=delimiter, missing=True, wanted=range(len(names))
-    ).values  # fmt: skip
-    if len(values) == 0:
+    )  # fmt: skip
+    rows.tell_cut(source, warnings)
+    count = len(rows.values)
+    if count == 0:
         raise source.error("expected a row a time after the names, found none.")
-    return _Table(facts, lines[0] if lines else "", names, values, stop + 1)
+    promised = facts.get("nrows", facts.get("datarows", ""))
+    if promised.isdecimal() and int(promised) != count:
+        warnings.append(f"The header promises {promised} rows, the file has {count}; those it has were read.")
+    return _Table(facts, lines[0] if lines else "", names, rows.values, stop + 1)
 
 
 _REMEDY = "Read the motion itself: the result of inverse kinematics (.mot), or the markers as TRC."

@@ -62,6 +62,7 @@ def read(source: Source) -> Draft:
         raise source.fault(start, f"{named + 3 * len(names)} cells in a row", f"{columns} at most")
     columns = max(columns, named + 3 * len(names))
     rows = read_rows(source, start, columns, delimiter="\t", missing=True)
+    rows.tell_cut(source, warnings)
     if len(rows.values) == 0:
         raise source.error("expected a row a frame after the header, found none.")
     before = _columns_before(source, heading, rows.values, 3 * len(names), start)

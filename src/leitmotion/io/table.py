@@ -151,7 +151,8 @@ def _unquoted(source: Source, start: int, delimiter: str) -> bytes:
     text = io.StringIO(source.content[start:].decode("utf-8", "replace"), newline="")
     rows = _records(source, text, delimiter)
     lines = (delimiter.join(re.sub(rf"[{delimiter}\r\n]", " ", cell) for cell in row) for row in rows)
-    return ("\n".join(lines) + "\n").encode("utf-8")
+    end = "\n" if source.content.endswith(b"\n") else ""  # without it the last row may be cut
+    return ("\n".join(lines) + end).encode("utf-8")
 
 
 def _records(source: Source, lines: Iterable[str], delimiter: str) -> Iterator[list[str]]:

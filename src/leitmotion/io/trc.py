@@ -59,6 +59,7 @@ def read(source: Source) -> Draft:
     named = 2 + 3 * len(names)
     columns = max(named, widest_row(source.content[start:], delimiter))
     rows = read_rows(source, start, columns, delimiter=delimiter, missing=True)
+    rows.tell_cut(source, warnings)
     if len(rows.values) == 0:
         raise source.error("expected a row a frame after the header, found none.")
     nameless = int(np.isfinite(rows.values[:, named:]).any(axis=0).sum()) // 3

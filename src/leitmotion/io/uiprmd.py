@@ -84,12 +84,13 @@ def read(source: Source) -> Draft:
             remedy="Keep the names the files came with: …_positions.txt and …_angles.txt.",
         )
     partner = _partner(source, kind)
-    tables = {kind: _rows(source), OTHER[kind]: _rows(partner)}
+    warnings: list[str] = []
+    tables = {kind: _rows(source, warnings), OTHER[kind]: _rows(partner, warnings)}
     positions, angles = tables["positions"], tables["angles"]
     if len(positions) != len(angles):
         raise source.error(
-            f"expected as many frames as in {partner.path.name}, found {len(_rows(source))} "
-            f"and {len(_rows(partner))}."
+            f"expected as many frames as in {partner.path.name}, found {len(tables[kind])} "
+            f"and {len(tables[OTHER[kind]])}."
         )
     order = ["xyz".index(axis) for axis in EULER]
     offsets = np.median(positions, axis=0)
@@ -113,6 +114,7 @@ def read(source: Source) -> Draft:
                 "UI-PRMD", "guessed", f"because a row has 66 numbers; the {OTHER[kind]} are in {partner.path}"
             ),
         },
+        warnings=warnings,
     )
 
 
@@ -126,7 +128,9 @@ def looks(head: bytes) -> bool:
 
 def _vicon(source: Source) -> Draft:
     warnings: list[str] = []
-    values = read_rows(source, 0, 3 * len(PLUG_IN_GAIT), delimiter=",", missing=True).values
+    rows = read_rows(source, 0, 3 * len(PLUG_IN_GAIT), delimiter=",", missing=True)
+    rows.tell_cut(source, warnings)
+    values = rows.values
     positions = unseen_in_origin(values.reshape(len(values), -1, 3), warnings)
     return Draft(
         [PointTake(list(PLUG_IN_GAIT), positions)],
@@ -138,9 +142,10 @@ def _vicon(source: Source) -> Draft:
     )
 
 
-def _rows(source: Source) -> np.ndarray:
-    values = read_rows(source, 0, 3 * len(JOINTS), delimiter=",").values
-    return values.reshape(len(values), len(JOINTS), 3)
+def _rows(source: Source, warnings: list[str]) -> np.ndarray:
+    rows = read_rows(source, 0, 3 * len(JOINTS), delimiter=",")
+    rows.tell_cut(source, warnings)
+    return rows.values.reshape(len(rows.values), len(JOINTS), 3)
 
 
 def _partner(source: Source, kind: str) -> Source:
