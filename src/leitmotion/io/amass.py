@@ -82,7 +82,7 @@ def read(source: Source) -> Draft:
         warnings.append(f"No rate is stated; {rate.value:g} Hz was guessed, --rate states another.")
     parents, offsets = mean_adult(joints)
     turns = rotations.from_rotation_vector(poses)
-    if (source.options.up or "z").removeprefix("+") == "z":
+    if source.options.up in (None, "z"):
         # at rest, too, the body stands upright in the file's axes, as the reader's caller expects of a skeleton
         offsets = offsets @ _Z_UP.T
         turns[:, 1:, 1:] = turns[:, 1:, 1:] @ _Z_UP.T

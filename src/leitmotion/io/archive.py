@@ -154,7 +154,7 @@ def read(source: Source) -> Draft:
         raise source.error(
             f"expected a recording, found a {type(noun).__name__}.", remedy="Open it with leitmotion.load."
         )
-    return Draft([take], name=noun.name, **facts)  # type: ignore[arg-type]
+    return Draft([take], name=noun.name, as_saved=True, **facts)  # type: ignore[arg-type]
 
 
 def write(recording: Motion | Trajectories) -> bytes:

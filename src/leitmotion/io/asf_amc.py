@@ -279,7 +279,7 @@ def _take(
         np.array(leaves, dtype=np.int64),
         np.array([acclaim.bones[j].direction * acclaim.bones[j].length for j in leaves]).reshape(-1, 3),
         positions,
-        rotations.continuous(quaternions),
+        quaternions,
     )
 
 

@@ -93,7 +93,7 @@ def _take(joints: list[Joint], first: int, values: np.ndarray) -> SkeletonTake:
         np.array([j for j, _ in ends], dtype=np.int64),
         np.array([end for _, end in ends]).reshape(-1, 3),
         positions,
-        rotations.continuous(quaternions),
+        quaternions,
         person=joints[0].name,
     )
 

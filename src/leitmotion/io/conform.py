@@ -13,7 +13,7 @@ from leitmotion.io.judge_unit import doubt_unit, judge_unit, makes_an_adult
 from leitmotion.io.points import FARTHEST
 from leitmotion.io.reading import Draft, Finding, Options, PointTake, SkeletonTake, Source
 from leitmotion.io.units import METRES, unit_in_metres
-from leitmotion.motion import Motion, ParameterError, Skeleton, Trajectories
+from leitmotion.motion import Motion, ParameterError, Skeleton, Trajectories, rotations
 
 FASTEST = 1e6
 """Hertz of the highest rate that is believed."""
@@ -116,7 +116,7 @@ def _unsee_far(take: PointTake, warnings: list[str]) -> None:
 def conform(
     draft: Draft, options: Options, name: str
 ) -> tuple[list[Motion | Trajectories], dict[str, Finding]]:
-    """Bring a draft to the house's unit and axes.
+    """Bring a draft to the house's unit and axes, and make its quaternions continuous in time.
 
     Parameters
     ----------
@@ -147,6 +147,8 @@ def conform(
     for take in draft.takes:
         called = f"{name}:{take.person}" if len(draft.takes) > 1 else name
         if isinstance(take, SkeletonTake):
+            if not draft.as_saved:
+                take.rotations = rotations.continuous(take.rotations)
             nouns.append(_motion(take, metres, turn, rate.value, called))
         else:
             word = unit.value if unit.value in IMAGE_UNITS else "m"
@@ -166,10 +168,9 @@ def _rate(draft: Draft, options: Options) -> Finding:
 
 def _up(draft: Draft, options: Options, positions: np.ndarray, take: SkeletonTake | PointTake) -> Finding:
     if options.up is not None:
-        axis = str(options.up).lower().removeprefix("+")
-        if axis not in _TO_Y_UP:
+        if options.up not in _TO_Y_UP:
             raise ParameterError(f"up must be one of {', '.join(_TO_Y_UP)}, got {options.up!r}.")
-        return Finding(axis, "given", "up given by the caller")
+        return Finding(options.up, "given", "up given by the caller")
     if draft.up is None:
         return judge_up(positions, take)
     better = contradict_up(draft.up, positions) if draft.up_may_err else None
@@ -185,8 +186,9 @@ def _unit(
     draft: Draft, options: Options, positions: np.ndarray, take: SkeletonTake | PointTake
 ) -> tuple[Finding, float]:
     if options.unit is not None:
-        if options.unit in IMAGE_UNITS and isinstance(take, PointTake):
-            return Finding(options.unit, "given", "unit given by the caller"), 1.0
+        named = str(options.unit).lower()
+        if named in IMAGE_UNITS and isinstance(take, PointTake):
+            return Finding(named, "given", "unit given by the caller"), 1.0
         word, metres = unit_in_metres(options.unit)
         return Finding(word, "given", "unit given by the caller"), metres
     if draft.unit is not None and (

@@ -145,8 +145,9 @@ def pose_body(coordinates: Mapping[str, np.ndarray]) -> tuple[SkeletonTake, set[
             positions[:, 0, k] = coordinates[word]
             used.add(word)
     take = SkeletonTake(
-        names, np.array(parents), np.array(offsets), np.array(end_parents), np.array(ends), positions,
-        rotations.continuous(np.stack(turns, axis=1)),
+        names, np.array(parents), np.array(offsets), np.array(end_parents, dtype=np.int64),
+        np.array(ends).reshape(-1, 3), positions,
+        np.stack(turns, axis=1),
     )  # fmt: skip
     return take, used
 

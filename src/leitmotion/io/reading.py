@@ -71,9 +71,15 @@ class Options:
     skeleton: str | PathLike[str] | None = None
     unit: str | float | None = None
     up: str | None = None
+    """An axis such as "z" or "-y"; in any case and with a plus sign it is the same."""
+
     rate: float | None = None
     trust: bool = False
     """Whether the file's author may run code here, as a pickle does."""
+
+    def __post_init__(self) -> None:
+        if isinstance(self.up, str):
+            object.__setattr__(self, "up", self.up.lower().removeprefix("+"))
 
 
 @dataclass(frozen=True)
@@ -148,6 +154,9 @@ class Draft:
 
     up_may_err: bool = False
     """Whether the body may contradict `up`: the vertical of a C3D is that of its screen, and often was not set."""
+
+    as_saved: bool = False
+    """Whether a noun was saved here and comes back as it was, each quaternion with its sign."""
 
     findings: dict[str, Finding] = field(default_factory=dict)
     warnings: list[str] = field(default_factory=list)
