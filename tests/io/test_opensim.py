@@ -280,3 +280,34 @@ def test_a_squat_goes_down_on_its_feet(data):
     assert place["left_knee"][lowest, 0] > place["left_hip"][lowest, 0] + 0.2  # the knee in front of the hip
     with pytest.raises(FormatError, match=r"found other coordinates: thorax_tilt.*save its markers as TRC"):
         io.read(data / "pyomeca" / "inverse_kin.mot")
+
+
+BENT = {"hip_flexion_r": 40.0, "knee_angle_r": -70.0, "hip_flexion_l": -20.0, "arm_flex_r": 30.0}
+SILENT = "inDegrees=yes\n"
+
+
+@pytest.mark.parametrize(
+    ("label", "radians", "unit"),
+    [("{}", False, "degrees"), ("{}", True, "radians"), ("/jointset/some/{}/value", True, "radians")],
+)
+def test_a_header_that_does_not_say_what_angles_are_is_told(tmp_path, label, radians, unit):
+    angles = {name: np.radians(value) if radians else value for name, value in BENT.items()}
+    expected = read(tmp_path, motion_file(BENT)).recordings[0].local_rotations
+    text = motion_file(angles, label=label)
+    assert SILENT in text
+    reading = read(tmp_path, text.replace(SILENT, ""))
+    np.testing.assert_allclose(reading.recordings[0].local_rotations, expected, atol=1e-7)
+    assert (reading.findings["angles"].value, reading.findings["angles"].how) == (unit, "guessed")
+    assert any(f"{unit} were guessed" in warning for warning in reading.warnings)
+
+
+@pytest.mark.parametrize(("word", "unit"), [("yes", "degrees"), ("no", "radians")])
+def test_what_the_header_says_of_angles_is_read(tmp_path, word, unit):
+    reading = read(tmp_path, motion_file({"knee_angle_r": -1.0}, degrees=word))
+    assert (reading.findings["angles"].value, reading.findings["angles"].how) == (unit, "read")
+    assert not any("guessed" in warning for warning in reading.warnings)
+
+
+def test_a_motion_has_as_many_rows_as_its_header_promises(tmp_path):
+    reading = read(tmp_path, motion_file(frames=3).replace("nRows=3", "nRows=9"))
+    assert "The header promises 9 rows, the file has 3; those it has were read." in reading.warnings

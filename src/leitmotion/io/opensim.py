@@ -1,7 +1,7 @@
 """OpenSim MOT and STO: a column a quantity, of which joint angles and points are read.
 
-A header that ends in the line ``endheader`` and says whether angles are degrees (``inDegrees``), a line of names, a row
-a time. Tabs, blanks or commas divide. Lengths are metres and Y is up, X forward. The names tell what it holds: joint
+A header that ends in the line ``endheader`` and may say whether angles are degrees (``inDegrees``), a line of names, a
+row a time. Tabs, blanks or commas divide. Lengths are metres and Y is up, X forward. The names tell what it is: joint
 angles move a body of mean proportions (:mod:`leitmotion.io.opensim_body`); ``NAME_X``, ``NAME_tx`` and ``NAME_px`` are
 places of points; forces, speeds and activations are no motion.
 """
@@ -22,6 +22,9 @@ from leitmotion.io.timing import read_times
 _PLACE = re.compile(r"^(?P<name>.+?)[_.](?:t|p|trans)?(?P<axis>[xyz])$", re.IGNORECASE)
 _TURN = re.compile(r"_O[xyz]$", re.IGNORECASE)
 _STATE = re.compile(r"^/?(?:.*/)?([^/]+)/value$")
+_ANGLE = re.compile(
+    r"^(?:pelvis_(?:tilt|list|rotation)|(?:hip|knee|ankle|subtalar|mtp|lumbar|arm|elbow)_\w+)$"
+)
 _FORCE = re.compile(r"force|torque|moment|grf|_v[xyz]$|_m[xyz]$|(?:^|_)cop(?:_|$)", re.IGNORECASE)
 _MOVING = re.compile(r"velocit|accelerat|speed", re.IGNORECASE)
 _COMPUTED = ("center_of_mass", "centre_of_mass")
@@ -125,21 +128,48 @@ _REMEDY = "Read the motion itself: the result of inverse kinematics (.mot), or t
 
 
 def _coordinates(table: _Table) -> dict[str, np.ndarray]:
-    """Columns by the name of their coordinate, without its path; angles are radians."""
-    radians = np.pi / 180.0 if table.facts.get("indegrees", "yes").lower().startswith("y") else 1.0
+    """Columns by the name of their coordinate, without its path."""
     found: dict[str, np.ndarray] = {}
     for name in table.names:
         match = _STATE.match(name)
         bare = match[1] if match else name
         if "/" not in bare:
-            scale = 1.0 if re.search(r"_t[xyz]$", bare) else radians
-            found.setdefault(bare, table.column(name) * scale)
+            found.setdefault(bare, table.column(name))
+    return found
+
+
+def _unit_of_angles(table: _Table, coordinates: dict[str, np.ndarray], warnings: list[str]) -> Finding:
+    """What the header says, else radians in a file of states and where no angle goes beyond a full turn of these."""
+    stated = table.facts.get("indegrees", "")
+    if stated[:1].lower() in ("y", "n"):
+        unit = "degrees" if stated[0].lower() == "y" else "radians"
+        return Finding(unit, "read", f"inDegrees is {stated!r}")
+    largest = max(
+        float(np.fmax.reduce(np.abs(values), initial=0.0))
+        for name, values in coordinates.items()
+        if _ANGLE.match(name)
+    )
+    if any(_STATE.match(name) for name in table.names):
+        found = Finding("radians", "guessed", "those of a file of states are")
+    elif largest <= 2.0 * np.pi:
+        found = Finding("radians", "guessed", f"no angle is larger than {largest:.3g}")
+    else:
+        found = Finding("degrees", "guessed", f"angles are as large as {largest:.3g}")
+    warnings.append(
+        f"The header does not say whether angles are degrees: {found.value} were guessed, since {found.reason}; "
+        "a line inDegrees=yes or inDegrees=no before endheader states it."
+    )
     return found
 
 
 def _read_angles(
     source: Source, table: _Table, coordinates: dict[str, np.ndarray], warnings: list[str]
 ) -> Draft:
+    unit = _unit_of_angles(table, coordinates, warnings)
+    if unit.value == "degrees":
+        coordinates = {
+            name: np.radians(values) if _ANGLE.match(name) else values for name, values in coordinates.items()
+        }
     take, used = pose_body(coordinates)
     time = next((name for name in table.names if name.lower() == "time"), None)
     for name in sorted(used):
@@ -172,7 +202,8 @@ def _read_angles(
         findings={
             "bones": Finding(
                 f"{STATURE} m", "guessed", "joint angles have no lengths; a mean adult's stand in"
-            )
+            ),
+            "angles": unit,
         },
         warnings=warnings,
     )
