@@ -348,6 +348,62 @@ def test_odd_names(run: Run, made: Path) -> None:
     assert "too long" in told.stderr
 
 
+# --- the second run is as the first
+
+
+def changed_window(call: list[object], made: Path) -> None:
+    call[1] = "walk.bvh[10:20]"
+
+
+def changed_source(call: list[object], made: Path) -> None:
+    shutil.copy(made / "once.bvh", "walk.bvh")
+
+
+def with_map(call: list[object], made: Path) -> None:
+    Path("map.json").write_text('{"head": "Head"}', encoding="utf-8")
+    call += ["--map", "map.json"]
+
+
+def option(*words: object) -> Any:
+    return lambda call, made: call.extend(words)
+
+
+@pytest.mark.parametrize(
+    "change",
+    [
+        changed_window,
+        changed_source,
+        with_map,
+        option("--unit", "m"),
+        option("--up", "z"),
+        option("--fps", 10),
+        option("--rate", 60),
+        option("--person", "walk"),
+        option("--out-unit", "m"),
+        option(),
+    ],
+)
+def test_what_is_skipped_is_what_a_run_by_force_would_write(run: Run, made: Path, change: Any) -> None:
+    shutil.copy(made / "jacks.bvh", "walk.bvh")
+    call: list[object] = ["convert", "walk.bvh", "-o", "out", "--to", "bvh"]
+    assert run(*call).exit_code == 0
+    change(call, made)
+    told = run(*call)
+    after = content(Path("out"))
+    forced = run(*call, "--force")
+    assert (told.exit_code, told.stderr) == (forced.exit_code, forced.stderr)
+    assert content(Path("out")) == after
+
+
+def test_another_window_into_the_same_folder_is_converted(run: Run, made: Path) -> None:
+    for window, frames in (("[0:10]", 10), ("[10:30]", 20), ("", len(leitmotion.read(made / "jacks.bvh")))):
+        told = run("convert", f"{made / 'jacks.bvh'}{window}", "-o", "out", "--to", "npz")
+        assert told.exit_code == 0
+        assert "was there already" not in told.stdout
+        assert len(leitmotion.read("out/jacks.npz")) == frames
+    assert "was there already" in run("convert", made / "jacks.bvh", "-o", "out", "--to", "npz").stdout
+
+
 # --- wrong usage, before any work
 
 

@@ -84,9 +84,11 @@ def _convert(order: Order, task: Task) -> Told | LeftOut:
     from leitmotion.io import write_whole
     from leitmotion.motion.errors import FormatError
 
+    window = {"window": task.given.window} if task.given.window else {}
+    parameters = order.parameters | window
     if task.entry is not None and not order.force:
         now = {"sha256": task.given.sha256(), "others": _others(order, task)}
-        if still_holds(task.entry, order.folder, parameters=order.parameters, **now):
+        if still_holds(task.entry, order.folder, parameters=parameters, **now):
             return Told(task.entry, skipped=True)
     try:
         made = prepare(
@@ -106,7 +108,7 @@ def _convert(order: Order, task: Task) -> Told | LeftOut:
     entry = facts(
         sha256=task.given.sha256(),
         others=_others(order, task),
-        parameters=order.parameters,
+        parameters=parameters,
         written={path.relative_to(order.folder).as_posix(): checksum(path) for path, _ in files},
         told={
             "frames": made.frames,
