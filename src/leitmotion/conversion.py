@@ -7,7 +7,7 @@ writes them as well, and never over an input or over what something else wrote.
 from __future__ import annotations
 
 import unicodedata
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from os import PathLike
 from pathlib import Path
@@ -18,6 +18,7 @@ from leitmotion.inspection import info
 from leitmotion.io import open_recording, write_whole
 from leitmotion.io.containers import on_disk
 from leitmotion.io.fidelity import Change, losses
+from leitmotion.io.files import holds
 from leitmotion.io.formats import Format, writable
 from leitmotion.io.sources import split_window
 from leitmotion.motion import DataError, Motion, ParameterError, Trajectories, resample
@@ -107,13 +108,17 @@ def convert(
     """
     path = Path(path)
     prepared = prepare(source, path.suffix, **options)
-    named = [(name_of(path, person), content) for person, content in prepared.files]
+    targets = names_of(path, [person for person, _ in prepared.files])
+    named = [(target, content) for target, (_, content) in zip(targets, prepared.files, strict=True)]
     for target, content in named:
         if is_same(target, split_window(source)[0]):
             raise ParameterError(f"{target} is the input, and inputs are never written over.")
         if not force and target.exists() and not holds(target, content):
             raise DataError(f"{target} is there with other content.", remedy="Replace it with force=True.")
-    written = tuple(write_whole(target, content) for target, content in named)
+    for target, content in named:
+        if not holds(target, content):
+            write_whole(target, content, replace=force)
+    written = tuple(target for target, _ in named)
     return Converted(written, prepared.changes, prepared.warnings)
 
 
@@ -217,6 +222,29 @@ def form_of(extension: str) -> Format:
     return form
 
 
+def names_of(path: Path, people: Sequence[str]) -> list[Path]:
+    """Name the file of each of several people, no two alike; of a single one it is the path itself.
+
+    Names that are alike once they are safe, or where capitals are small letters, are numbered.
+
+    Examples
+    --------
+    >>> [each.name for each in names_of(Path("duo.c3d"), ["Anna: lead", "Anna? lead"])]
+    ['duo.Anna_ lead.c3d', 'duo.Anna_ lead-2.c3d']
+    """
+    named: list[Path] = []
+    taken: set[str] = set()
+    for person in people:
+        own = name_of(path, person)
+        one, count = own, 1
+        while (key := unicodedata.normalize("NFC", one.name).casefold()) in taken:
+            count += 1
+            one = own.with_name(f"{own.stem}-{count}{own.suffix}")
+        taken.add(key)
+        named.append(one)
+    return named
+
+
 def name_of(path: Path, person: str) -> Path:
     """Name the file of one of several people; of a single one it is the path itself.
 
@@ -236,11 +264,6 @@ def is_same(target: Path, source: Path) -> bool:
     """Tell whether a place to write to is the file, or the archive, that is read."""
     source = on_disk(source)
     return target.exists() and source.exists() and target.samefile(source)
-
-
-def holds(path: Path, content: bytes) -> bool:
-    """Tell whether a file holds exactly these bytes."""
-    return path.is_file() and path.stat().st_size == len(content) and path.read_bytes() == content
 
 
 def _misread(recording: Motion | Trajectories, body_map: Roles | None) -> tuple[str, ...]:

@@ -6,6 +6,7 @@ import time
 from typing import Any
 
 from leitmotion.cli import converting
+from leitmotion.io import files
 
 
 def double(number: int) -> int:
@@ -29,7 +30,8 @@ def work_but_two_dies(order: Any, task: Any) -> Any:
     """Convert, but be killed in the middle of writing ``two.bvh``."""
     if task.given.path.name == "two.bvh":
         order.folder.mkdir(exist_ok=True)
-        (order.folder / f".two.npz.{os.getpid()}-0123456789abcdef.part").write_bytes(b"half")
+        part = f".two.npz.{files.owner(os.getpid())}-0123456789abcdef.part"
+        (order.folder / part).write_bytes(b"half")
         os.kill(os.getpid(), signal.SIGKILL)
     return converting.work(order, task)
 
@@ -42,8 +44,6 @@ def slow_work(order: Any, task: Any) -> Any:
 
 def endless_work(order: Any, task: Any) -> Any:
     """Never be done, and leave half a file behind unless ended properly."""
-    from leitmotion.io import files
-
     print("working", flush=True)
     files.os.fsync = lambda handle: time.sleep(60)
     files.write_whole(task.target, b"half")

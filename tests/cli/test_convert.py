@@ -22,6 +22,7 @@ from cli.json_schema import faults
 from leitmotion import io
 from leitmotion.cli import convert as module
 from leitmotion.cli.ledger import NAME
+from leitmotion.io import files
 
 TESTS = Path(__file__).resolve().parents[1]
 DOCS = TESTS.parent / "docs" / "json.md"
@@ -191,6 +192,93 @@ def test_a_person_s_file_does_not_take_another_input_s_place(run: Run, made: Pat
     assert told.exit_code == 1
     assert "is what another input becomes" in told.stderr
     assert leitmotion.read("out/duo.Anna.npz") == leitmotion.read(made / "jacks.bvh").replace(name="duo.Anna")
+
+
+def people(*names: str) -> str:
+    return TWO.replace("Anna", names[0]).replace("Ben/1", names[1])
+
+
+def test_people_of_names_that_look_alike_get_files_of_their_own(run: Run) -> None:
+    Path("duo.bvh").write_text(people("A|B", "a*b"), encoding="utf-8")
+    call = ("convert", "duo.bvh", "-o", "out", "--to", "npz", "--unit", "cm", "--up", "y", "--json")
+    told = json.loads(run(*call).stdout)
+    assert told["result"]["written"] == [
+        str(Path("out/duo.A_B.npz")), str(Path("out/duo.a_b-2.npz")),
+    ]  # fmt: skip
+    made = [leitmotion.read(path) for path in told["result"]["written"]]
+    assert made[0] != made[1].replace(name=made[0].name)
+    assert json.loads(run(*call).stdout)["result"]["skipped"]
+    assert leitmotion.convert("duo.bvh", "o/duo.npz", unit="cm", up="y").written == (
+        Path("o/duo.A_B.npz"), Path("o/duo.a_b-2.npz"),
+    )  # fmt: skip
+
+
+@pytest.mark.parametrize("force", [(), ("--force",)])
+def test_a_person_s_file_does_not_take_the_place_of_another_input_s_person(
+    run: Run, force: tuple[str, ...]
+) -> None:
+    Path("a.bvh").write_text(people("b.c", "x"), encoding="utf-8")
+    Path("a.b.bvh").write_text(people("c", "y"), encoding="utf-8")
+    for order in (("a.bvh", "a.b.bvh"), ("a.b.bvh", "a.bvh")):
+        told = run("convert", *order, "-o", "out", "--to", "npz", "--unit", "cm", "--up", "y", *force)
+        assert told.exit_code == 1
+        assert told.stderr.count("is what another input becomes") == 1
+        assert sorted(content(Path("out"))) == [NAME, "a.b.c.npz", "a.b.y.npz"]
+        shutil.rmtree("out")
+
+
+def test_a_source_that_changes_while_it_is_read_is_not_taken_for_what_was_read(
+    run: Run, made: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    shutil.copy(made / "jacks.bvh", "walk.bvh")
+    prepare = leitmotion.conversion.prepare
+
+    def slow(*given: Any, **options: Any) -> Any:
+        prepared = prepare(*given, **options)
+        shutil.copy(made / "once.bvh", "walk.bvh")
+        return prepared
+
+    with monkeypatch.context() as patched:
+        patched.setattr(leitmotion.conversion, "prepare", slow)
+        told = run("convert", "walk.bvh", "-o", "out", "--to", "npz")
+    assert told.exit_code == 1
+    assert "walk.bvh changed while it was read. Convert it again." in told.stderr
+    assert run("convert", "walk.bvh", "-o", "out", "--to", "npz").exit_code == 0
+    assert len(leitmotion.read("out/walk.npz")) == len(leitmotion.read(made / "once.bvh"))
+
+
+def test_a_file_that_appears_while_another_is_converted_stays(
+    run: Run, made: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    write = io.write_whole
+
+    def late(path: Path, held: bytes, **options: Any) -> Path:
+        path.parent.mkdir(exist_ok=True)
+        path.write_bytes(b"mine")
+        return write(path, held, **options)
+
+    monkeypatch.setattr(io, "write_whole", late)
+    told = run("convert", made / "jacks.bvh", "-o", "out", "--to", "npz")
+    assert told.exit_code == 1
+    assert "jacks.npz is there with other content." in told.stderr
+    assert content(Path("out")) == {"jacks.npz": b"mine"}
+
+
+def test_an_archive_s_checksum_is_taken_once_for_all_its_recordings(
+    run: Run, src: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    with zipfile.ZipFile("takes.zip", "w") as box:
+        for k in range(5):
+            box.write("src/two.bvh", f"{k}.bvh")
+    taken = []
+    checksum = files.checksum
+    monkeypatch.setattr(files, "checksum", lambda *paths: taken.extend(paths) or checksum(*paths))
+    assert run("convert", "takes.zip", "-o", "out", "--to", "npz").exit_code == 0
+    assert [path.name for path in taken].count("takes.zip") == 1
+    with zipfile.ZipFile("takes.zip", "a") as box:
+        box.writestr("note.txt", "more")
+    assert run("convert", "takes.zip", "-o", "out", "--to", "npz").exit_code == 0
+    assert [path.name for path in taken].count("takes.zip") == 2
 
 
 def test_what_a_format_cannot_hold_is_one_sentence(run: Run, made: Path) -> None:

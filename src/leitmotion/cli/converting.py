@@ -80,16 +80,21 @@ def work(order: Order, task: Task) -> Told | Failure | LeftOut:
 
 
 def _convert(order: Order, task: Task) -> Told | LeftOut:
-    from leitmotion.conversion import holds, name_of, prepare
+    from leitmotion.conversion import names_of, prepare
     from leitmotion.io import write_whole
-    from leitmotion.motion.errors import FormatError
+    from leitmotion.io.files import holds
+    from leitmotion.motion.errors import DataError, FormatError
 
     window = {"window": task.given.window} if task.given.window else {}
     parameters = order.parameters | window
-    if task.entry is not None and not order.force:
-        now = {"sha256": task.given.sha256(), "others": _others(order, task)}
-        if still_holds(task.entry, order.folder, parameters=parameters, **now):
-            return Told(task.entry, skipped=True)
+    # before reading, so that what is replaced meanwhile is not taken for what was read
+    read = _checksums(order, task)
+    if (
+        task.entry is not None
+        and not order.force
+        and still_holds(task.entry, order.folder, parameters=parameters, **read)
+    ):
+        return Told(task.entry, skipped=True)
     try:
         made = prepare(
             task.given.source, order.extension, body_map=order.body_map, **order.reading, **order.writing
@@ -98,18 +103,19 @@ def _convert(order: Order, task: Task) -> Told | LeftOut:
         if task.given.doubtful:
             return LeftOut(error.message)
         raise
-    files = [(name_of(task.target, person), content) for person, content in made.files]
+    if _checksums(order, task) != read:
+        raise DataError(f"{task.given.shown} changed while it was read.", remedy="Convert it again.")
+    paths = names_of(task.target, [person for person, _ in made.files])
+    files = [(path, content) for path, (_, content) in zip(paths, made.files, strict=True)]
     there = [holds(path, content) for path, content in files]
-    for (path, _), held in zip(files, there, strict=True):
-        _refuse(path, order, task, held=held)
-    for (path, content), held in zip(files, there, strict=True):
+    ours = [_is_ours(path, order, task, held=held) for path, held in zip(paths, there, strict=True)]
+    for (path, content), held, replace in zip(files, there, ours, strict=True):
         if not held:
-            write_whole(path, content)
+            write_whole(path, content, replace=replace)
     entry = facts(
-        sha256=task.given.sha256(),
-        others=_others(order, task),
+        **read,
         parameters=parameters,
-        written={path.relative_to(order.folder).as_posix(): checksum(path) for path, _ in files},
+        written={path.relative_to(order.folder).as_posix(): checksum(path) for path in paths},
         told={
             "frames": made.frames,
             "rate": made.rate,
@@ -122,29 +128,45 @@ def _convert(order: Order, task: Task) -> Told | LeftOut:
     return Told(entry, skipped=all(there))
 
 
-def _others(order: Order, task: Task) -> str:
-    """The checksum of what is read with the input: an AMC's skeleton, the other frames of a clip."""
+def _checksums(order: Order, task: Task) -> dict[str, str]:
+    """What tells one content of the input from another, and of what is read with it: an AMC's skeleton, say."""
     from leitmotion.io.companions import others_read
 
-    return checksum_of_all(others_read(task.given.path, order.reading.get("skeleton")))
+    others = checksum_of_all(others_read(task.given.path, order.reading.get("skeleton")))
+    try:
+        return {"sha256": task.given.sha256(), "others": others}
+    except OSError:  # which reading it puts in a sentence
+        return {"sha256": "", "others": others}
 
 
-def _refuse(path: Path, order: Order, task: Task, *, held: bool) -> None:
-    """Refuse a place that is not for this input, or that holds what is not ours."""
+def _is_ours(path: Path, order: Order, task: Task, *, held: bool) -> bool:
+    """Tell whether what is at a place may be replaced; refuse one that is not for this input."""
     from leitmotion.conversion import is_same
     from leitmotion.motion.errors import DataError
 
-    own = identity(path)
-    if own in order.inputs or is_same(path, task.given.path):
+    if identity(path) in order.inputs or is_same(path, task.given.path):
         raise DataError(
             f"{path} is an input, and inputs are never written over.", remedy="Choose another -o."
         )
-    if path != task.target and own in order.targets:
+    if _of_another(path, order, task):
         raise DataError(
             f"{path} is what another input becomes.", remedy="Convert the two into different folders."
         )
-    if held or order.force or not path.exists():
-        return
+    if held or order.force:
+        return True
+    if not path.exists():
+        return False
     ours = {} if task.entry is None else task.entry["written"]
     if checksum(path) != ours.get(path.relative_to(order.folder).as_posix()):
         raise DataError(f"{path} is there with other content.", remedy="Replace it with --force.")
+    return True
+
+
+def _of_another(path: Path, order: Order, task: Task) -> bool:
+    """Whether a person's file is what another input becomes, or would be one of its people.
+
+    A name ``a.b.c.npz`` is of ``a.b.npz`` rather than of ``a.npz`` where both are written, whichever comes first.
+    """
+    own = len(task.target.stem)
+    ends = [k for k, mark in enumerate(path.name) if mark == "." and k > own]
+    return any(identity(path.with_name(path.name[:k] + path.suffix)) in order.targets for k in ends)

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import contextlib
-import hashlib
 import os
 import sys
 import tempfile
 from collections.abc import Collection, Iterator, Sequence, Set
 from dataclasses import dataclass, replace
+from functools import lru_cache
 from pathlib import Path
 from typing import IO, TYPE_CHECKING
 
@@ -65,13 +65,21 @@ class Input:
         """Return the checksum of the file on the disk, packed as it is, in hexadecimal; of all frames of a clip."""
         from leitmotion.io.companions import clip_files
         from leitmotion.io.containers import on_disk
+        from leitmotion.io.files import checksum
 
-        checksum = hashlib.sha256()
-        for path in clip_files(on_disk(self.path)):
-            with path.open("rb") as file:
-                while piece := file.read(1 << 20):
-                    checksum.update(piece)
-        return checksum.hexdigest()
+        file = on_disk(self.path)
+        if file != self.path:
+            facts = file.stat()
+            return _of_archive(file, (facts.st_ino, facts.st_size, facts.st_mtime_ns, facts.st_ctime_ns))
+        return checksum(*clip_files(file))
+
+
+@lru_cache(maxsize=16)
+def _of_archive(file: Path, facts: tuple[int, ...]) -> str:
+    """The checksum of an archive, taken once for all of its members while nothing about it changes."""
+    from leitmotion.io.files import checksum
+
+    return checksum(file)
 
 
 @contextlib.contextmanager

@@ -52,8 +52,7 @@ class Ledger:
         if self._entries.get(entry["target"]) == entry:
             return
         self._entries[entry["target"]] = entry
-        with contextlib.suppress(OSError), (self._folder / NAME).open("a", encoding="utf-8") as file:
-            file.write(_line(entry))
+        note(self._folder, entry)
 
     def close(self) -> None:
         """Write the ledger anew, each input once and in order; another run's lines are kept."""
@@ -63,7 +62,9 @@ class Ledger:
         entries = _read(self._folder / NAME) | self._entries
         if entries:
             with contextlib.suppress(FormatError):
-                write_whole(self._folder / NAME, "".join(_line(entries[name]) for name in sorted(entries)))
+                write_whole(
+                    self._folder / NAME, "".join(f"{_line(entries[name])}\n" for name in sorted(entries))
+                )
 
     def _name(self, path: Path) -> str:
         """A path as seen from the folder, the same wherever the program is called from."""
@@ -72,6 +73,14 @@ class Ledger:
             return Path(os.path.relpath(there, here)).as_posix()
         except ValueError:  # on another drive
             return there.as_posix()
+
+
+def note(folder: Path, entry: Entry) -> None:
+    """Add a line to the ledger of a folder, where it takes one."""
+    from leitmotion.io.files import append_line
+
+    with contextlib.suppress(OSError):
+        append_line(folder / NAME, _line(entry))
 
 
 def facts(
@@ -117,9 +126,10 @@ def still_holds(
 
 def checksum(path: Path) -> str:
     """SHA-256 of a file in hexadecimal, nothing where there is none to read."""
+    from leitmotion.io import files
+
     try:
-        with path.open("rb") as file:
-            return hashlib.file_digest(file, "sha256").hexdigest()
+        return files.checksum(path)
     except OSError:
         return ""
 
@@ -131,7 +141,7 @@ def checksum_of_all(paths: Sequence[Path]) -> str:
 
 
 def _line(entry: Entry) -> str:
-    return json.dumps(entry, sort_keys=True) + "\n"
+    return json.dumps(entry, sort_keys=True)
 
 
 def _read(path: Path) -> dict[str, Entry]:

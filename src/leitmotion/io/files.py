@@ -4,13 +4,16 @@ from __future__ import annotations
 
 import contextlib
 import difflib
+import hashlib
 import os
+import platform
 import secrets
 import stat
+import zlib
 from os import PathLike
 from pathlib import Path
 
-from leitmotion.motion import FormatError
+from leitmotion.motion import DataError, FormatError
 
 _SPECIAL = "a device or a pipe"
 
@@ -77,7 +80,7 @@ def _suggest(path: Path) -> str:
     return f"Did you mean {' or '.join(near)}?" if near else ""
 
 
-def write_whole(path: str | PathLike[str], content: str | bytes) -> Path:
+def write_whole(path: str | PathLike[str], content: str | bytes, *, replace: bool = True) -> Path:
     """Write a file so that nobody ever sees half of it.
 
     The content goes to a temporary file in the same folder, is flushed to the disk and takes the name in one step; an
@@ -89,6 +92,9 @@ def write_whole(path: str | PathLike[str], content: str | bytes) -> Path:
         The file; its folder is made where it is missing.
     content : str or bytes
         What it holds; text is written as UTF-8 with the newlines it has.
+    replace : bool
+        Whether it may take the place of a file that is there; else the two are told apart in one step with the
+        writing, so that a file that appears meanwhile stays.
 
     Returns
     -------
@@ -99,6 +105,8 @@ def write_whole(path: str | PathLike[str], content: str | bytes) -> Path:
     ------
     FormatError
         When the folder cannot be written to, the disk is full, or the path is a device.
+    DataError
+        When a file is there that may not be replaced.
 
     Examples
     --------
@@ -116,14 +124,14 @@ def write_whole(path: str | PathLike[str], content: str | bytes) -> Path:
             raise FormatError(f"{path} cannot be written: it is {_SPECIAL}.", remedy="Choose another place.")
         path.parent.mkdir(parents=True, exist_ok=True)
         # not by tempfile, whose files are for their owner alone: this one gets the mode of any file that is made
-        beside = path.parent / f".{path.name[:_SHORT]}.{os.getpid()}-{secrets.token_hex(8)}.part"
+        beside = path.parent / f".{path.name[:_SHORT]}.{owner(os.getpid())}-{secrets.token_hex(8)}.part"
         handle = os.open(beside, os.O_WRONLY | os.O_CREAT | os.O_EXCL | getattr(os, "O_BINARY", 0), 0o666)
         temporary = str(beside)
         with os.fdopen(handle, "wb") as file:
             file.write(data)
             file.flush()
             os.fsync(file.fileno())
-        os.replace(temporary, path)
+        _name(temporary, path, replace=replace)
     except FormatError:
         raise
     except (OSError, ValueError) as error:  # the latter of a name that no file can have
@@ -148,8 +156,59 @@ def discard_parts(folder: Path, process: int) -> None:
     process : int
         The number of the process, which is no more.
     """
-    for left in folder.glob(f".*.{process}-*.part"):
+    for left in folder.glob(f".*.{owner(process)}-*.part"):
         _discard(str(left))
+
+
+def holds(path: Path, content: bytes) -> bool:
+    """Tell whether a file holds exactly these bytes."""
+    return path.is_file() and path.stat().st_size == len(content) and path.read_bytes() == content
+
+
+def checksum(*paths: Path) -> str:
+    """SHA-256 of files, one after the other, in hexadecimal.
+
+    Raises
+    ------
+    OSError
+        When one cannot be read.
+    """
+    digest = hashlib.sha256()
+    for path in paths:
+        with path.open("rb") as file:
+            while piece := file.read(1 << 20):
+                digest.update(piece)
+    return digest.hexdigest()
+
+
+def append_line(path: Path, line: str) -> None:
+    """Add a line to the end of a text file, which is made where it is missing.
+
+    Raises
+    ------
+    OSError
+        When it cannot be written.
+    """
+    path.parent.mkdir(parents=True, exist_ok=True)
+    with path.open("a", encoding="utf-8") as file:
+        file.write(f"{line}\n")
+
+
+def owner(process: int) -> str:
+    """A process among those of all machines that share a folder."""
+    return f"{zlib.crc32(platform.node().encode()):08x}-{process}"
+
+
+def _name(temporary: str, path: Path, *, replace: bool) -> None:
+    """Give a file its name, in one step; where it has to be a new one and no links can be made, in two."""
+    if not replace:
+        with contextlib.suppress(OSError, AttributeError):
+            os.link(temporary, path)
+            _discard(temporary)
+            return
+        if os.path.lexists(path):
+            raise DataError(f"{path} is there with other content.")
+    os.replace(temporary, path)
 
 
 def _discard(temporary: str) -> None:
