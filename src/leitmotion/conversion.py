@@ -6,6 +6,7 @@ writes them as well, and never over an input or over what something else wrote.
 
 from __future__ import annotations
 
+import os
 import unicodedata
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -17,7 +18,7 @@ from leitmotion.body import BodyMap
 from leitmotion.inspection import info
 from leitmotion.io import open_recording, write_whole
 from leitmotion.io.containers import on_disk
-from leitmotion.io.fidelity import Change, losses
+from leitmotion.io.fidelity import Loss, losses
 from leitmotion.io.files import holds
 from leitmotion.io.formats import Format, writable
 from leitmotion.io.sources import split_window
@@ -33,7 +34,7 @@ class Prepared:
     files: tuple[tuple[str, bytes], ...]
     """A file's content for each person, with the person's name where there are several."""
 
-    changes: tuple[Change, ...]
+    changes: tuple[Loss, ...]
     """What the format does not keep, and what was changed on the way."""
 
     warnings: tuple[str, ...]
@@ -59,7 +60,7 @@ class Converted:
     written: tuple[Path, ...]
     """The files, one a person."""
 
-    changes: tuple[Change, ...]
+    changes: tuple[Loss, ...]
     """What the format does not keep, and what was changed on the way."""
 
     warnings: tuple[str, ...]
@@ -113,12 +114,8 @@ def convert(
     for target, content in named:
         if is_same(target, split_window(source)[0]):
             raise ParameterError(f"{target} is the input, and inputs are never written over.")
-        if not force and target.exists() and not holds(target, content):
-            raise DataError(f"{target} is there with other content.", remedy="Replace it with force=True.")
-    for target, content in named:
-        if not holds(target, content):
-            write_whole(target, content, replace=force)
-    written = tuple(target for target, _ in named)
+        check_place(target, content, force=force)
+    written = tuple(put(target, content, force=force) for target, content in named)
     return Converted(written, prepared.changes, prepared.warnings)
 
 
@@ -166,20 +163,18 @@ def prepare(
         When the extension is not written, or the format does not hold such a recording.
     """
     extension = f".{extension.removeprefix('.').lower()}"
-    form = form_of(extension)
+    form_of(extension)  # refused before anything is read
     options: dict[str, Any] = {} if out_unit is None else {"unit": out_unit}
     reading = open_recording(
         source, skeleton=skeleton, unit=unit, up=up, rate=rate, person=person, trust=trust
     )
     files, warnings = [], list(reading.warnings)
-    changes: dict[Change, None] = {}  # of several people each is told once
+    changes: dict[Loss, None] = {}  # of several people each is told once
     for who, recording in zip(reading.people, reading.recordings, strict=True):
         warnings += _misread(recording, body_map)
         wanted = recording if fps is None else resample(recording, fps)
-        content = form.write(wanted, **options)
-        changes |= dict.fromkeys(_resampled(recording, wanted))
-        written_unit = options.get("unit", form.options.get("unit"))
-        changes |= dict.fromkeys(losses(wanted, content, extension, unit=written_unit))
+        content, lost = written_as(wanted, extension, **options)
+        changes |= dict.fromkeys((*_resampled(recording, wanted), *lost))
         files.append((who if len(reading.people) > 1 else "", content))
     first = reading.recordings[0]
     beside = reading.findings.get("skeleton")
@@ -192,6 +187,27 @@ def prepare(
         window=reading.window,
         skeleton="" if beside is None else str(beside.value),
     )
+
+
+def written_as(
+    recording: Motion | Trajectories, extension: str, **options: Any
+) -> tuple[bytes, tuple[Loss, ...]]:
+    """Make the bytes of a recording in a format, and tell what they do not keep of it."""
+    form = form_of(extension)
+    content = form.write(recording, **options)
+    unit = options.get("unit", form.options.get("unit"))
+    return content, losses(recording, content, extension, unit=unit)
+
+
+def check_place(path: Path, content: bytes, *, force: bool, by: str = "force=True") -> None:
+    """Refuse to write over a file of other content, unless by force."""
+    if not force and os.path.lexists(path) and not holds(path, content):
+        raise DataError(f"{path} is there with other content.", remedy=f"Replace it with {by}.")
+
+
+def put(path: Path, content: bytes, *, force: bool) -> Path:
+    """Write a file that :func:`check_place` let pass; one of the same content is left alone."""
+    return path if holds(path, content) else write_whole(path, content, replace=force)
 
 
 def form_of(extension: str) -> Format:
@@ -274,8 +290,8 @@ def _misread(recording: Motion | Trajectories, body_map: Roles | None) -> tuple[
         return ()
 
 
-def _resampled(before: Motion | Trajectories, after: Motion | Trajectories) -> tuple[Change, ...]:
+def _resampled(before: Motion | Trajectories, after: Motion | Trajectories) -> tuple[Loss, ...]:
     if before.rate == after.rate:
         return ()
     how = f"Resampled from {before.rate:.9g} Hz to {after.rate:.9g} Hz."
-    return (Change("rate", "", len(after), how),)
+    return (Loss("rate", "", len(after), how),)

@@ -100,11 +100,25 @@ def test_a_folder_keeps_its_order(run: Run, hurt: Path) -> None:
         "deep/clean.npz", "hurt.npz",
     ]  # fmt: skip
     again = run("repair", hurt, "--fill", "spline", "-o", "out")
-    assert again.exit_code == 2
-    assert "exists. Replace it with --force" in " ".join(again.stderr.split())
-    assert run("repair", hurt, "--fill", "spline", "-o", "out", "--force").exit_code == 0
+    assert again.exit_code == 0
+    other = run("repair", hurt, "--spikes", "-o", "out")
+    assert other.exit_code == 1
+    assert "hurt.npz is there with other content. Replace it with --force." in other.stderr
+    assert run("repair", hurt, "--spikes", "-o", "out", "--force").exit_code == 0
     clean = hurt / "deep" / "clean.npz"
     assert lm.read("out/deep/clean.npz") == lm.read(clean)
+
+
+def test_a_file_of_other_content_stays_unless_by_force(run: Run, hurt: Path) -> None:
+    Path("victim.npz").write_bytes(b"somebody else's")
+    call = ("repair", hurt / "hurt.npz", "--spikes", "-o", "victim.npz")
+    told = run(*call)
+    assert told.exit_code == 1
+    assert "victim.npz is there with other content. Replace it with --force." in told.stderr
+    assert Path("victim.npz").read_bytes() == b"somebody else's"
+    for force in ("--force", "--json"):  # the second finds what the first wrote
+        assert run(*call, force).exit_code == 0
+    assert lm.read("victim.npz").names == lm.read(hurt / "hurt.npz").names
 
 
 def test_what_the_format_does_not_keep_is_told(run: Run, hurt: Path) -> None:

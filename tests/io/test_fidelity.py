@@ -1,12 +1,15 @@
 """What a format does not keep: nothing of what it keeps is told, and everything that is lost is."""
 
+from types import SimpleNamespace
+
 import numpy as np
 import pytest
 
 from leitmotion.datasets import Action, compose
-from leitmotion.io.fidelity import Change, differences, losses
+from leitmotion.io import fidelity
+from leitmotion.io.fidelity import Loss, differences, losses
 from leitmotion.io.formats import writable
-from leitmotion.motion import Motion, Skeleton, Trajectories, joint_points, rotations
+from leitmotion.motion import FormatError, Motion, Skeleton, Trajectories, joint_points, rotations
 
 
 @pytest.fixture(scope="module")
@@ -21,7 +24,7 @@ def points(rng: np.random.Generator) -> Trajectories:
     return Trajectories(("a", "b", "c"), positions, 50.0, confidence=rng.random((20, 3)))
 
 
-def whats(changes: tuple[Change, ...]) -> list[str]:
+def whats(changes: tuple[Loss, ...]) -> list[str]:
     return [change.what for change in changes]
 
 
@@ -90,7 +93,7 @@ def test_what_points_lose(points):
     assert whats(differences(points, points.replace(confidence=None))) == ["confidence"]
     fewer = Trajectories(("a", "c"), points.positions[:, [0, 2]], 50.0)
     (lost,) = differences(points.replace(confidence=None), fewer)
-    assert lost == Change("points", "b", 20, "Not kept: b.")
+    assert lost == Loss("points", "b", 20, "Not kept: b.")
 
 
 def test_gaps_that_closed_and_gaps_that_opened(points):
@@ -128,3 +131,15 @@ def test_a_turn_that_moves_no_joint_is_seen(motion):
 def test_frames_and_rate(motion):
     assert whats(differences(motion, motion[1:])) == ["frames"]
     assert whats(differences(motion, motion.replace(rate=30.001))) == ["rate"]
+
+
+def test_what_is_not_read_again_is_told(motion, monkeypatch):
+    form = writable()[".bvh"]
+    content = form.write(motion)
+
+    def refuse(_):
+        raise FormatError("Nothing is read today.")
+
+    monkeypatch.setattr(fidelity, "recognise", lambda *_: SimpleNamespace(module="bvh", read=refuse))
+    (told,) = losses(motion, content, ".bvh", unit="cm")
+    assert (told.what, told.detail) == ("unread", "It is not read again: Nothing is read today.")

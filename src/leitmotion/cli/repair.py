@@ -89,7 +89,7 @@ class _Cutoff(click.ParamType):
     "--filter", "filter_", type=_Cutoff(), metavar="HZ", help="Smooth by a low-pass of this cutoff, or auto."
 )
 @click.option("--level", is_flag=True, help="Turn the floor level and put it at height 0.")
-@click.option("--force", is_flag=True, help="In a folder, replace files that are there.")
+@click.option("--force", is_flag=True, help="Replace files that hold something else.")
 @as_json
 @common(searching=False)
 def repair(inputs: tuple[str, ...], options: Options, filter_: float | str | None, **chosen: Any) -> None:
@@ -123,7 +123,7 @@ def repair(inputs: tuple[str, ...], options: Options, filter_: float | str | Non
         progress.say(f"Mending {given.path.name}")
         mended = mend(recording, **remedies, body_map=entries)
         written = targets.get(given.shown)
-        lost = () if written is None else _write(mended.recording, written)
+        lost = () if written is None else _write(mended.recording, written, force=options.force)
         parameters = reading_parameters(options.reading, reading.window)
         return Answer(
             source=[source_entry(given, frames=len(recording), rate=recording.rate)],
@@ -143,20 +143,14 @@ def _check_together(remedies: dict[str, Any]) -> None:
         raise click.UsageError("--max-gap says which gaps are filled: give --fill as well.")
 
 
-def _write(recording: Motion | Trajectories, path: Path) -> tuple[str, ...]:
+def _write(recording: Motion | Trajectories, path: Path, *, force: bool) -> tuple[str, ...]:
     """Write a recording, and say what its format does not keep of it."""
-    from leitmotion.io import write_whole
-    from leitmotion.io.fidelity import losses
-    from leitmotion.io.formats import writable
+    from leitmotion.conversion import check_place, put, written_as
 
-    ending = path.suffix.lower()
-    form = writable()[ending]
-    content = form.write(recording)
-    write_whole(path, content)
-    return tuple(
-        f"{path.name}: {lost.detail}"
-        for lost in losses(recording, content, ending, unit=form.options.get("unit"))
-    )
+    content, lost = written_as(recording, path.suffix.lower())
+    check_place(path, content, force=force, by="--force")
+    put(path, content, force=force)
+    return tuple(f"{path.name}: {each.detail}" for each in lost)
 
 
 def _targets(given: Sequence[Input], output: Path, *, force: bool) -> dict[str, Path]:
@@ -169,7 +163,7 @@ def _targets(given: Sequence[Input], output: Path, *, force: bool) -> dict[str, 
                 f"{output} names one file, but there are {len(given)} recordings. "
                 f"Name a folder: -o {output.with_suffix('')}."
             )
-        check_output(output, given, endings=tuple(writable()), force=True)
+        check_output(output, given, endings=tuple(writable()), force=force)
         return {given[0].shown: output}
     targets = {}
     for one, place in zip(given, plan(given, output, "").paths, strict=True):
@@ -177,9 +171,7 @@ def _targets(given: Sequence[Input], output: Path, *, force: bool) -> dict[str, 
         named = place.name.lower().endswith(ending)  # where two inputs differ by nothing else
         targets[one.shown] = place if named else place.with_name(place.name + ending)
     for target in targets.values():
-        check_output(target, given, endings=tuple(writable()), force=True)
-        if target.exists() and not force:
-            raise click.UsageError(f"{target} exists. Replace it with --force, or name another folder.")
+        check_output(target, given, endings=tuple(writable()), force=force)
     return targets
 
 

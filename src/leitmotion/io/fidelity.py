@@ -32,7 +32,7 @@ NOTICED_RATE = 1e-6
 _SHOWN = 4  # names that a sentence lists
 
 
-class Change(NamedTuple):
+class Loss(NamedTuple):
     """One thing that is not in a written file as it was in the recording.
 
     Attributes
@@ -56,7 +56,7 @@ class Change(NamedTuple):
 
 def losses(
     recording: Motion | Trajectories, content: bytes, extension: str, *, unit: str | float | None = None
-) -> tuple[Change, ...]:
+) -> tuple[Loss, ...]:
     """Read a file's bytes again, and tell what differs from the recording that was written.
 
     Parameters
@@ -72,20 +72,23 @@ def losses(
 
     Returns
     -------
-    tuple of Change
+    tuple of Loss
         What the file does not hold, or holds otherwise.
     """
     form = recognise(content[:4096], extension)
     if form is None or not form.module:
         how = f"A {extension} is not read here, so that nothing is known of what it keeps."
-        return (_change("unread", recording, (), how),)
+        return (_loss("unread", recording, (), how),)
     source = Source(Path(f"recording{extension}"), content)
     changes = []
     try:
         draft = form.read(source)
     except LeitmotionError as error:  # a rate that a reader doubts has to be told it
-        draft = form.read(replace(source, options=Options(rate=recording.rate)))
-        changes.append(_change("rate", recording, (), f"Reading it again needs the rate. {error.remedy}"))
+        try:
+            draft = form.read(replace(source, options=Options(rate=recording.rate)))
+        except LeitmotionError as refusal:
+            return (_loss("unread", recording, (), f"It is not read again: {refusal.message}"),)
+        changes.append(_loss("rate", recording, (), f"Reading it again needs the rate. {error.remedy}"))
     stated = draft.unit is not None and draft.unit.how == "read"
     of_a_picture = isinstance(recording, Trajectories) and recording.unit in IMAGE_UNITS
     known = Options(
@@ -96,12 +99,12 @@ def losses(
     again, _ = conform(draft, known, recording.name)
     if len(again) != 1:
         people = ", ".join(take.person for take in draft.takes)
-        changes.append(_change("people", recording, (), f"One person is read again as several: {people}."))
+        changes.append(_loss("people", recording, (), f"One person is read again as several: {people}."))
         return tuple(changes)
     return tuple(changes) + differences(recording, again[0])
 
 
-def differences(before: Motion | Trajectories, after: Motion | Trajectories) -> tuple[Change, ...]:
+def differences(before: Motion | Trajectories, after: Motion | Trajectories) -> tuple[Loss, ...]:
     """Tell what of one recording is not in another that was made from it.
 
     Parameters
@@ -111,14 +114,14 @@ def differences(before: Motion | Trajectories, after: Motion | Trajectories) -> 
 
     Returns
     -------
-    tuple of Change
+    tuple of Loss
         Nothing where both hold the same.
     """
     if len(before) != len(after):
-        return (_change("frames", before, (), f"{len(before)} frames became {len(after)}."),)
+        return (_loss("frames", before, (), f"{len(before)} frames became {len(after)}."),)
     changes = []
     if abs(after.rate / before.rate - 1.0) > NOTICED_RATE:
-        changes.append(_change("rate", before, (), f"{before.rate:.9g} Hz became {after.rate:.9g} Hz."))
+        changes.append(_loss("rate", before, (), f"{before.rate:.9g} Hz became {after.rate:.9g} Hz."))
     if isinstance(before, Motion):
         changes += _of_a_skeleton(before, after)
     elif isinstance(after, Trajectories):
@@ -129,16 +132,16 @@ def differences(before: Motion | Trajectories, after: Motion | Trajectories) -> 
     return tuple(changes)
 
 
-def _of_a_skeleton(before: Motion, after: Motion | Trajectories) -> list[Change]:
+def _of_a_skeleton(before: Motion, after: Motion | Trajectories) -> list[Loss]:
     count, ends = len(before.skeleton), len(before.skeleton.end_parents)
     if isinstance(after, Motion):
         kept = len(after.skeleton.end_parents)
         if kept == ends:
             return []
         how = f"{ends} end sites became {kept}."
-        return [_change("end sites", before, (), how)]
+        return [_loss("end sites", before, (), how)]
     changes = [
-        _change(
+        _loss(
             "rotations",
             before,
             (),
@@ -146,16 +149,16 @@ def _of_a_skeleton(before: Motion, after: Motion | Trajectories) -> list[Change]
         )
     ]
     if ends and len(after.names) <= count:
-        changes.append(_change("end sites", before, (), f"{ends} end sites are not kept."))
+        changes.append(_loss("end sites", before, (), f"{ends} end sites are not kept."))
     return changes
 
 
-def _of_points(before: Trajectories, after: Trajectories) -> list[Change]:
+def _of_points(before: Trajectories, after: Trajectories) -> list[Loss]:
     changes = []
     if before.kind != after.kind:
-        changes.append(_change("kind", before, (), f"Points of kind {before.kind} became {after.kind}s."))
+        changes.append(_loss("kind", before, (), f"Points of kind {before.kind} became {after.kind}s."))
     if before.confidence is not None and after.confidence is None:
-        changes.append(_change("confidence", before, (), "How sure each point was is not kept."))
+        changes.append(_loss("confidence", before, (), "How sure each point was is not kept."))
     return changes
 
 
@@ -164,8 +167,8 @@ def _names(recording: Motion | Trajectories) -> tuple[str, ...]:
 
 
 def _pairs(
-    before: Motion | Trajectories, after: Motion | Trajectories, changes: Sequence[Change]
-) -> tuple[list[tuple[int, int]], list[Change]]:
+    before: Motion | Trajectories, after: Motion | Trajectories, changes: Sequence[Loss]
+) -> tuple[list[tuple[int, int]], list[Loss]]:
     """Which joint of one is which of the other, and what became of their names."""
     old, new = _names(before), _names(after)
     places = {name: k for k, name in enumerate(new)}
@@ -173,23 +176,23 @@ def _pairs(
     if lost and len(old) == len(new):
         renamed = [(a, b) for a, b in zip(old, new, strict=True) if a != b]
         how = f"{_listed([f'{a!r} became {b!r}' for a, b in renamed])}."
-        return [(k, k) for k in range(len(old))], [_change("names", before, [a for a, _ in renamed], how)]
+        return [(k, k) for k in range(len(old))], [_loss("names", before, [a for a, _ in renamed], how)]
     pairs = [(k, places[name]) for k, name in enumerate(old) if name in places]
     if not lost:
         return pairs, []
-    return pairs, [_change("points", before, lost, f"Not kept: {_listed(lost)}.")]
+    return pairs, [_loss("points", before, lost, f"Not kept: {_listed(lost)}.")]
 
 
 def _of_places(
     before: Motion | Trajectories, after: Motion | Trajectories, pairs: list[tuple[int, int]]
-) -> list[Change]:
+) -> list[Loss]:
     """What became of the places, and of the rotations where both have them."""
     if not pairs:
         return []
     here, there = (list(side) for side in zip(*pairs, strict=True))
     (a, turned), (b, turned_after) = _placed(before, here), _placed(after, there)
     if a.shape != b.shape:
-        return [_change("points", before, (), f"{a.shape[-1]} coordinates became {b.shape[-1]}.")]
+        return [_loss("points", before, (), f"{a.shape[-1]} coordinates became {b.shape[-1]}.")]
     names = [_names(before)[k] for k in here]
     seen, seen_after = np.isfinite(a).all(axis=2), np.isfinite(b).all(axis=2)
     changes = []
@@ -197,7 +200,7 @@ def _of_places(
     if other.any():
         where = [names[k] for k in np.flatnonzero(other.any(axis=0))]
         how = f"{int(other.sum())} places are seen in one and not in the other."
-        changes.append(Change("gaps", _only(where), int(other.any(axis=1).sum()), how))
+        changes.append(Loss("gaps", _only(where), int(other.any(axis=1).sum()), how))
     both = (seen & seen_after)[..., None]
     apart = np.linalg.norm(np.subtract(a, b, out=np.zeros_like(a), where=both), axis=2)
     unit = before.unit if isinstance(before, Trajectories) else "m"
@@ -216,18 +219,18 @@ def _placed(recording: Motion | Trajectories, chosen: list[int]) -> tuple[np.nda
     return pose.positions[:, chosen], pose.rotations[:, chosen]
 
 
-def _beyond(names: list[str], apart: np.ndarray, noticed: float, unit: str) -> list[Change]:
+def _beyond(names: list[str], apart: np.ndarray, noticed: float, unit: str) -> list[Loss]:
     far = apart > noticed
     if not far.any():
         return []
     where = [names[k] for k in np.flatnonzero(far.any(axis=0))]
     what = "rotations" if unit == "rad" else "places"
     how = f"The {what} differ by up to {apart.max():.2g} {unit}."
-    return [Change("precision", _only(where), int(far.any(axis=1).sum()), how)]
+    return [Loss("precision", _only(where), int(far.any(axis=1).sum()), how)]
 
 
-def _change(what: str, recording: Motion | Trajectories, names: Sequence[str], detail: str) -> Change:
-    return Change(what, _only(names), len(recording), detail)
+def _loss(what: str, recording: Motion | Trajectories, names: Sequence[str], detail: str) -> Loss:
+    return Loss(what, _only(names), len(recording), detail)
 
 
 def _only(names: Sequence[str]) -> str:
