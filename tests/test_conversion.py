@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 import leitmotion as lm
+import leitmotion.inspection
 from leitmotion.conversion import name_of, prepare
 from leitmotion.datasets import Action, compose
 from leitmotion.io.formats import writable
@@ -78,6 +79,18 @@ def test_a_misread_size_is_told(dance: lm.Motion) -> None:
     (told,) = lm.convert("dance.bvh", "giant.npz", unit="m", up="y").warnings
     assert told.startswith("The body measures 1")
     assert lm.convert("dance.bvh", "right.npz").warnings == ()
+
+
+def test_a_misread_recording_is_told_as_info_tells_it(
+    dance: lm.Motion, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    lm.write(dance, "dance.bvh", unit="cm")
+    options = [{"unit": "m", "up": "y"}, {"unit": "cm", "up": "x"}, {"unit": "cm", "up": "y"}]
+    told = [lm.info("dance.bvh", **chosen) for chosen in options]
+    assert [len(each.misread) for each in told] == [1, 1, 0]
+    monkeypatch.setattr(leitmotion.inspection, "find_problems", lambda _: pytest.fail("more than is needed"))
+    for chosen, info in zip(options, told, strict=True):
+        assert prepare("dance.bvh", ".npz", **chosen).warnings == (*info.warnings, *info.misread)
 
 
 def test_what_is_no_body_is_converted_as_well(tmp_path: Path) -> None:

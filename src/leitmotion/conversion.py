@@ -15,7 +15,7 @@ from pathlib import Path
 from typing import Any
 
 from leitmotion.body import BodyMap
-from leitmotion.inspection import info
+from leitmotion.inspection import misread
 from leitmotion.io import open_recording, write_whole
 from leitmotion.io.containers import on_disk
 from leitmotion.io.fidelity import Loss, losses
@@ -171,7 +171,7 @@ def prepare(
     files, warnings = [], list(reading.warnings)
     changes: dict[Loss, None] = {}  # of several people each is told once
     for who, recording in zip(reading.people, reading.recordings, strict=True):
-        warnings += _misread(recording, body_map)
+        warnings += misread(recording, reading.findings, body_map)
         wanted = recording if fps is None else resample(recording, fps)
         content, lost = written_as(wanted, extension, **options)
         changes |= dict.fromkeys((*_resampled(recording, wanted), *lost))
@@ -280,14 +280,6 @@ def is_same(target: Path, source: Path) -> bool:
     """Tell whether a place to write to is the file, or the archive, that is read."""
     source = on_disk(source)
     return target.exists() and source.exists() and target.samefile(source)
-
-
-def _misread(recording: Motion | Trajectories, body_map: Roles | None) -> tuple[str, ...]:
-    """What tells of a unit or a vertical taken wrongly; what is no body tells nothing, and is converted as well."""
-    try:
-        return info(recording, body_map=body_map).misread
-    except DataError:
-        return ()
 
 
 def _resampled(before: Motion | Trajectories, after: Motion | Trajectories) -> tuple[Loss, ...]:

@@ -8,7 +8,7 @@ A problem is told, never repaired.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -20,6 +20,7 @@ from leitmotion.io import Finding, Reading, open_recording
 from leitmotion.io.units import METRES
 from leitmotion.motion import DataError, Motion, ParameterError, Trajectories
 from leitmotion.repairs import Examined, Problem, find_problems
+from leitmotion.repairs.person import sized, upright
 
 Recording = Motion | Trajectories
 
@@ -83,11 +84,7 @@ class Info:
     @property
     def misread(self) -> tuple[str, ...]:
         """What tells of a unit or a vertical taken wrongly, so that all that is found then is in doubt."""
-        return tuple(
-            f"{problem.message} {problem.remedy}".rstrip()
-            for problem in self.problems
-            if problem.what in MISREAD
-        )
+        return _sentences(self.problems)
 
 
 def info(
@@ -172,8 +169,7 @@ def _describe(
             None if unsized else body.size, "guessed", unsized or _HOW_SIZED[bool(body_map.roles)]
         ),
     }
-    examined = Examined(recording, body, body_map, _metres(findings["unit"].value), str(findings["up"].value))
-    problems = find_problems(examined)
+    problems = find_problems(_examined(recording, body, body_map, findings))
     if unsized:
         problems = (Problem("size", unsized), *problems)
     alone = len(reading.recordings) == 1
@@ -194,6 +190,49 @@ def _describe(
         window=reading.window,
         warnings=reading.warnings,
     )
+
+
+def misread(
+    recording: Recording,
+    findings: Mapping[str, Finding],
+    body_map: BodyMap | Mapping[str, str | list[str]] | None = None,
+) -> tuple[str, ...]:
+    """Tell as :attr:`Info.misread` does, without looking for anything else that may be wrong.
+
+    Parameters
+    ----------
+    recording : Motion or Trajectories
+        The recording.
+    findings : mapping of str to Finding
+        What its reader says of unit and vertical.
+    body_map : BodyMap or mapping of str, optional
+        Which joints or markers stand for which role, when the names do not tell.
+
+    Returns
+    -------
+    tuple of str
+        A sentence each; of what is no body none.
+    """
+    try:
+        roles = map_of(recording, body_map)
+        body, unsized = _embodied(recording, roles)
+    except DataError:
+        return ()
+    examined = _examined(recording, body, roles, findings)
+    found = (Problem("size", unsized) if unsized else None, sized(examined), upright(examined))
+    return _sentences([problem for problem in found if problem is not None])
+
+
+def _sentences(problems: Sequence[Problem]) -> tuple[str, ...]:
+    return tuple(
+        f"{problem.message} {problem.remedy}".rstrip() for problem in problems if problem.what in MISREAD
+    )
+
+
+def _examined(recording: Recording, body: Body, roles: BodyMap, findings: Mapping[str, Finding]) -> Examined:
+    """What the checks look at; what was not read from a file is in its own unit, and Y is up."""
+    unit, up = (findings[what].value if what in findings else None for what in ("unit", "up"))
+    return Examined(recording, body, roles, _metres(body.unit if unit is None else unit), str(up or "y"))
 
 
 def _embodied(recording: Recording, body_map: BodyMap) -> tuple[Body, str]:
