@@ -107,6 +107,7 @@ def convert(
             body_map=options.map_entries(),
             writing=writing,
             force=options.force,
+            noted=ledger is not None,
             traceback=options.traceback,
             inputs=frozenset(identity(one.path) for one in given),
             targets=frozenset(identity(task.target) for task in tasks),

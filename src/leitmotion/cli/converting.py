@@ -6,6 +6,7 @@ since, or by force; one that holds the very bytes that would be written is left 
 
 from __future__ import annotations
 
+import hashlib
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -14,7 +15,7 @@ from typing import Any
 from leitmotion.cli.batch import LeftOut
 from leitmotion.cli.failures import Failure, explain, show_traceback
 from leitmotion.cli.inputs import Input
-from leitmotion.cli.ledger import Entry, checksum, checksum_of_all, facts, still_holds
+from leitmotion.cli.ledger import Entry, checksum, checksum_of_all, facts, plan, still_holds
 from leitmotion.cli.targets import identity
 
 
@@ -30,6 +31,9 @@ class Order:
     body_map: Mapping[str, Any] | None = None
     writing: Mapping[str, Any] = field(default_factory=dict)
     force: bool = False
+    noted: bool = False
+    """Whether the folder has a ledger."""
+
     traceback: bool = False
     inputs: frozenset[str] = frozenset()
     """The identities of what is read, never written over."""
@@ -109,13 +113,13 @@ def _convert(order: Order, task: Task) -> Told | LeftOut:
     files = [(path, content) for path, (_, content) in zip(paths, made.files, strict=True)]
     there = [holds(path, content) for path, content in files]
     ours = [_is_ours(path, order, task, held=held) for path, held in zip(paths, there, strict=True)]
-    for (path, content), held, replace in zip(files, there, ours, strict=True):
-        if not held:
-            write_whole(path, content, replace=replace)
     entry = facts(
         **read,
         parameters=parameters,
-        written={path.relative_to(order.folder).as_posix(): checksum(path) for path in paths},
+        written={
+            path.relative_to(order.folder).as_posix(): hashlib.sha256(content).hexdigest()
+            for path, content in files
+        },
         told={
             "frames": made.frames,
             "rate": made.rate,
@@ -125,6 +129,11 @@ def _convert(order: Order, task: Task) -> Told | LeftOut:
             "warnings": list(made.warnings),
         },
     )
+    if order.noted:
+        plan(order.folder, task.target, task.given.path, entry, before=task.entry)
+    for (path, content), held, replace in zip(files, there, ours, strict=True):
+        if not held:
+            write_whole(path, content, replace=replace)
     return Told(entry, skipped=all(there))
 
 

@@ -1,8 +1,8 @@
 """What was converted into a folder: so that a second run does only what is left, and replaces only what it made.
 
 The ledger is a file of the folder, one line of JSON for each input: what it was (by its content), how it was converted
-and what was written (by its content). A line is added when a file is done; one that an interruption cut short, or that
-is none of ours, is passed over, which costs a conversion and nothing else.
+and what was written (by its content). A line is added before a new file is written and when it is done; one that an
+interruption cut short, or that is none of ours, is passed over, which costs a conversion and nothing else.
 """
 
 from __future__ import annotations
@@ -43,16 +43,16 @@ class Ledger:
 
     def entry(self, target: Path, source: Path) -> Entry | None:
         """What was written at a place, None where nothing was or it came from another file."""
-        held = self._entries.get(self._name(target))
-        return held if held is not None and held["source"] == self._name(source) else None
+        held = self._entries.get(_name(self._folder, target))
+        return held if held is not None and held["source"] == _name(self._folder, source) else None
 
     def add(self, target: Path, source: Path, facts: Entry) -> None:
         """Note what was done; a folder that takes no more is no fault of the conversion."""
-        entry = {"target": self._name(target), "source": self._name(source), **facts}
+        entry = _entry(self._folder, target, source, facts)
         if self._entries.get(entry["target"]) == entry:
             return
         self._entries[entry["target"]] = entry
-        note(self._folder, entry)
+        _note(self._folder, entry)
 
     def close(self) -> None:
         """Write the ledger anew, each input once and in order; another run's lines are kept."""
@@ -66,16 +66,32 @@ class Ledger:
                     self._folder / NAME, "".join(f"{_line(entries[name])}\n" for name in sorted(entries))
                 )
 
-    def _name(self, path: Path) -> str:
-        """A path as seen from the folder, the same wherever the program is called from."""
-        here, there = self._folder.resolve(), path.parent.resolve() / path.name
-        try:
-            return Path(os.path.relpath(there, here)).as_posix()
-        except ValueError:  # on another drive
-            return there.as_posix()
+
+def plan(folder: Path, target: Path, source: Path, facts: Entry, *, before: Entry | None) -> None:
+    """Note what is about to be written where nothing was, so that it is known as ours if this run is killed.
+
+    What was converted before stays as it is noted, for it is still there; so that nothing is skipped for this line.
+    """
+    held = {} if before is None else before["written"]
+    if facts["written"].keys() - held.keys():
+        kept = facts if before is None else before
+        _note(folder, _entry(folder, target, source, {**kept, "written": facts["written"] | held}))
 
 
-def note(folder: Path, entry: Entry) -> None:
+def _entry(folder: Path, target: Path, source: Path, facts: Entry) -> Entry:
+    return {**facts, "target": _name(folder, target), "source": _name(folder, source)}
+
+
+def _name(folder: Path, path: Path) -> str:
+    """A path as seen from a folder, the same wherever the program is called from."""
+    here, there = folder.resolve(), path.parent.resolve() / path.name
+    try:
+        return Path(os.path.relpath(there, here)).as_posix()
+    except ValueError:  # on another drive
+        return there.as_posix()
+
+
+def _note(folder: Path, entry: Entry) -> None:
     """Add a line to the ledger of a folder, where it takes one."""
     from leitmotion.io.files import append_line
 
