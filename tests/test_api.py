@@ -360,3 +360,22 @@ def test_info_of_something_else_is_explained() -> None:
 
 def test_info_says_when_it_is_too_short() -> None:
     assert "too short" in problems(marker_file()[:50])["short"]
+
+
+def test_what_has_no_size_is_described_all_the_same():
+    root = lm.Skeleton(("root",), [-1], [[0.0, 0.0, 0.0]])
+    still = lm.Motion(root, np.zeros((30, 1, 3)), np.tile([1.0, 0, 0, 0], (30, 1, 1)), rate=30)
+    told = lm.info(still)
+    assert told.findings["size"].value is None
+    assert next(problem.what for problem in told.problems) == "size"
+
+
+def test_a_floor_that_cannot_be_told_leaves_the_other_remedies(rng):
+    slide = np.cumsum(np.full((90, 1, 3), 0.1), axis=0) + rng.normal(0, 1e-3, (90, 1, 3))
+    slide[40] += 0.7
+    points = lm.Trajectories(("LANK",), slide, rate=100)
+    mended = lm.repair(points, spikes=True, level=True)
+    assert [change.what for change in mended.changes] == ["spike"]
+    assert any("What else was asked for was done" in remark for remark in mended.remarks)
+    with pytest.raises(lm.DataError, match="floor"):
+        lm.repair(points, level=True)

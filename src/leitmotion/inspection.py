@@ -18,7 +18,7 @@ from leitmotion.body import Body, BodyMap, SideCheck, check_sides, embody, map_o
 from leitmotion.body import swap_sides as exchanged
 from leitmotion.io import Finding, Reading, open_recording
 from leitmotion.io.units import METRES
-from leitmotion.motion import DataError, Motion, ParameterError, Trajectories
+from leitmotion.motion import DataError, Motion, ParameterError, Trajectories, joint_points
 from leitmotion.repairs import Examined, Problem, find_problems
 from leitmotion.repairs.person import sized, upright
 
@@ -240,13 +240,12 @@ def _embodied(recording: Recording, body_map: BodyMap) -> tuple[Body, str]:
     try:
         return embody(recording, body_map), ""
     except DataError as error:
-        if not isinstance(recording, Trajectories) or not len(recording):
+        if not len(recording):
             raise
-        facing, unit = np.zeros(len(recording)), recording.unit
-        points = Body(
-            recording.names, recording.positions, facing, recording.rate, 1.0, unit, facing_told=False
-        )
-        return points, error.message
+        points = joint_points(recording) if isinstance(recording, Motion) else recording
+        facing = np.zeros(len(points))
+        bare = Body(points.names, points.positions, facing, points.rate, 1.0, points.unit, facing_told=False)
+        return bare, error.message
 
 
 def _format(reading: Reading) -> dict[str, Finding]:

@@ -305,3 +305,10 @@ def test_a_file_under_the_ending_of_another_format_is_read_and_told(tmp_path):
         reading = io.open_recording(misnamed)
         assert reading.recordings[0] == io.read(named).replace(name=reading.recordings[0].name)
         assert any(f"ends in {other}, but it begins like" in warning for warning in reading.warnings)
+
+
+@pytest.mark.skipif(os.name != "posix", reason="links need no permission on POSIX alone")
+def test_a_link_to_nowhere_says_where_it_leads(tmp_path):
+    (tmp_path / "clip.bvh").symlink_to(tmp_path / "gone.bvh")
+    with pytest.raises(FormatError, match=r"clip.bvh is a link to .*gone.bvh, where there is no file"):
+        io.read(tmp_path / "clip.bvh")

@@ -125,7 +125,7 @@ def test_a_wrong_unit_is_answered_with_the_right_one(walk, tmp_path):
     path = lm.write(walk, tmp_path / "walk.bvh")
     found = problems(path, unit="m")
     assert found["size"].command(str(path)) == f"leitmotion info {path} --unit cm"
-    assert "with --unit cm the body would measure 1." in found["size"].message + found["size"].remedy
+    assert "--unit cm comes nearest to an adult, with 1." in found["size"].message + found["size"].remedy
 
 
 def test_a_wrong_vertical_is_answered_with_the_right_one(walk, tmp_path):

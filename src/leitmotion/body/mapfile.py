@@ -87,7 +87,7 @@ def map_of(
     Examples
     --------
     >>> from leitmotion.motion import Trajectories
-    >>> two = Trajectories(("LKNE", "m2"), np.zeros((1, 2, 3)), rate=100)
+    >>> two = Trajectories(("LeftKnee", "m2"), np.zeros((1, 2, 3)), rate=100)
     >>> map_of(two).roles, map_of(two, {"head": "m2"}).roles
     (('left_knee',), ('head',))
     """

@@ -128,7 +128,7 @@ def _value(what: str, value: object, told: Info) -> str:
     if not isinstance(value, float):
         return str(value)
     if what == "facing":
-        return f"{math.degrees(value):.0f}°"
+        return f"{round(math.degrees(value))}°"
     if what == "size":
         return f"{value:.2f} m" if told.findings["unit"].value not in ("px", "relative") else f"{value:.4g}"
     return f"{value:g} Hz" if what == "rate" else f"{value:g}"

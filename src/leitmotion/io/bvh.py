@@ -124,8 +124,8 @@ def write(motion: Motion, *, unit: str | float = "cm") -> bytes:
     """
     if not isinstance(motion, Motion):
         raise ParameterError(
-            f"A BVH holds a skeleton in motion, got a {type(motion).__name__}.",
-            remedy="Write points as .npz.",
+            "A BVH holds a skeleton in motion, and this recording is points without one.",
+            remedy="Write points as .npz, .csv or .glb.",
         )
     _, metres = unit_in_metres(unit)
     skeleton = motion.skeleton

@@ -59,6 +59,8 @@ def read_bytes(path: Path) -> bytes:
     except FormatError:
         raise
     except (FileNotFoundError, NotADirectoryError, ValueError):  # the last of a name that no file can have
+        if os.path.islink(path):
+            raise FormatError(f"{path} is a link to {os.readlink(path)}, where there is no file.") from None
         raise FormatError(f"There is no file {path}.", remedy=_suggest(path)) from None
     except PermissionError:
         raise FormatError(f"The file {path} may not be read.", remedy="Check its permissions.") from None

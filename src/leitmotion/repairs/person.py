@@ -39,9 +39,11 @@ def sized(seen: Examined) -> Problem | None:
     unit = min(sizes, key=lambda unit: abs(np.log(sizes[unit] / USUAL_SIZE_M)))
     if not smallest <= sizes[unit] <= largest:
         return Problem(
-            "size", message, "No usual unit makes it a person: say with --unit how many metres its is."
+            "size", message, "No usual unit makes it a person: say how many metres one is, as in --unit 0.1."
         )
-    remedy = f"Say what unit the file is in: with --unit {unit} the body would measure {sizes[unit]:.2f} m."
+    remedy = (
+        f"Say what unit the file is in: --unit {unit} comes nearest to an adult, with {sizes[unit]:.2f} m."
+    )
     return Problem("size", message, remedy, "info", ("--unit", unit))
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 
 from leitmotion.body import BodyMap
-from leitmotion.motion import Motion, ParameterError, Trajectories
+from leitmotion.motion import DataError, Motion, ParameterError, Trajectories
 from leitmotion.repairs.duplicates import replace_duplicates
 from leitmotion.repairs.filtering import low_pass
 from leitmotion.repairs.floor import level_floor
@@ -79,7 +79,8 @@ def repair(
         When an option does not fit: a remedy of points for a skeleton, `frames` without `swap_sides`, `max_gap_s`
         without `fill`.
     DataError
-        When the floor or a cutoff cannot be told.
+        When a cutoff cannot be told, or the floor cannot and nothing else is asked for; beside other remedies that is
+        a remark.
 
     Examples
     --------
@@ -123,7 +124,15 @@ def repair(
     if filter is not None:
         recording = take(low_pass(recording, filter))
     if level:
-        recording = take(level_floor(recording, body_map=body_map))
+        others = (
+            swap_sides or duplicates or swaps or frozen or spikes or fill is not None or filter is not None
+        )
+        try:
+            recording = take(level_floor(recording, body_map=body_map))
+        except DataError as error:
+            if not others:
+                raise
+            remarks.append(f"{error.message} What else was asked for was done.")
     return Repaired(recording, tuple(changes), tuple(remarks))
 
 
