@@ -84,18 +84,18 @@ def convert(
     A second run does only what is left. An input that cannot be converted says so in its place, and the rest go on.
     """
     out = options.output or Path()
-    extension = _extension(to, out, out_unit)
+    alone = _is_file(out)  # asked once: a folder may be made meanwhile
+    extension = _extension(to, out, out_unit, alone=alone)
     writing = {name: value for name, value in (("fps", fps), ("out_unit", out_unit)) if value is not None}
     if str(out) == "-":
         _to_standard_output(inputs, extension, writing, options)
         return
-    alone = _is_file(out)
     folder = out.parent if alone else out
     ledger = None if alone else Ledger(folder)
     tasks: list[Task] = []
 
     def check(given: Sequence[Input]) -> None:
-        targets = _targets(given, out, extension, options)
+        targets = _targets(given, out, extension, options, alone=alone)
         for one, target in zip(given, targets, strict=True):
             tasks.append(Task(one, target, ledger.entry(target, one.path) if ledger is not None else None))
 
@@ -129,13 +129,13 @@ def convert(
     finish(outcome)
 
 
-def _extension(to: str | None, out: Path, out_unit: str | None) -> str:
+def _extension(to: str | None, out: Path, out_unit: str | None, *, alone: bool) -> str:
     """The format to write, as ``.bvh``, of what was said and of the file's ending."""
     from leitmotion.io.formats import writable
 
     forms = writable()
     known = ", ".join(form.removeprefix(".") for form in forms)
-    if to is None and not _is_file(out):
+    if to is None and not alone:
         where = "standard output" if str(out) == "-" else out
         raise click.UsageError(f"Say which format to write into {where}: --to with one of {known}.")
     extension = out.suffix.lower() if to is None else f".{to.removeprefix('.').lower()}"
@@ -143,7 +143,7 @@ def _extension(to: str | None, out: Path, out_unit: str | None) -> str:
         raise click.BadParameter(
             f"{to!r} is no format that is written; these are: {known}.", param_hint="--to"
         )
-    if _is_file(out) and out.suffix.lower() != extension:
+    if alone and out.suffix.lower() != extension:
         raise click.UsageError(f"{out.name} ends in {out.suffix}, but --to says {to}.")
     if out_unit is not None and "unit" not in forms[extension].options:
         raise click.UsageError(f"--out-unit does not go with {extension}, which has a unit of its own.")
@@ -157,9 +157,11 @@ def _is_file(out: Path) -> bool:
     return out.suffix.lower() in writable() and not os.path.isdir(out)
 
 
-def _targets(given: Sequence[Input], out: Path, extension: str, options: Options) -> Sequence[Path]:
+def _targets(
+    given: Sequence[Input], out: Path, extension: str, options: Options, *, alone: bool
+) -> Sequence[Path]:
     """Where each input is written; what cannot be is refused before any work."""
-    if _is_file(out):
+    if alone:
         if len(given) > 1:
             raise click.UsageError(
                 f"{out} names one file, but there are {len(given)} recordings. "
