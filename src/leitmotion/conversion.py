@@ -114,7 +114,7 @@ def convert(
     for target, content in named:
         if is_same(target, split_window(source)[0]):
             raise ParameterError(f"{target} is the input, and inputs are never written over.")
-        check_place(target, content, force=force)
+        refuse_other(target, content, force=force)
     written = tuple(put(target, content, force=force) for target, content in named)
     return Converted(written, prepared.changes, prepared.warnings)
 
@@ -199,14 +199,14 @@ def written_as(
     return content, losses(recording, content, extension, unit=unit)
 
 
-def check_place(path: Path, content: bytes, *, force: bool, by: str = "force=True") -> None:
+def refuse_other(path: Path, content: bytes, *, force: bool, by: str = "force=True") -> None:
     """Refuse to write over a file of other content, unless by force."""
     if not force and os.path.lexists(path) and not holds(path, content):
         raise DataError(f"{path} is there with other content.", remedy=f"Replace it with {by}.")
 
 
 def put(path: Path, content: bytes, *, force: bool) -> Path:
-    """Write a file that :func:`check_place` let pass; one of the same content is left alone."""
+    """Write a file that :func:`refuse_other` let pass; one of the same content is left alone."""
     return path if holds(path, content) else write_whole(path, content, replace=force)
 
 

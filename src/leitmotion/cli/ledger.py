@@ -162,10 +162,13 @@ def _line(entry: Entry) -> str:
 
 def _read(path: Path) -> dict[str, Entry]:
     """The entries of a ledger by target, the last of each; lines that are none are passed over."""
+    from leitmotion.io.files import read_bytes
+    from leitmotion.motion.errors import FormatError
+
     entries: dict[str, Entry] = {}
     try:
-        lines = path.read_text(encoding="utf-8", errors="replace").split("\n")
-    except OSError:
+        lines = read_bytes(path).decode("utf-8", "replace").split("\n")
+    except FormatError:
         return entries
     for line in lines:
         with contextlib.suppress(ValueError, TypeError, KeyError):

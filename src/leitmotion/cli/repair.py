@@ -145,10 +145,10 @@ def _check_together(remedies: dict[str, Any]) -> None:
 
 def _write(recording: Motion | Trajectories, path: Path, *, force: bool) -> tuple[str, ...]:
     """Write a recording, and say what its format does not keep of it."""
-    from leitmotion.conversion import check_place, put, written_as
+    from leitmotion.conversion import put, refuse_other, written_as
 
     content, lost = written_as(recording, path.suffix.lower())
-    check_place(path, content, force=force, by="--force")
+    refuse_other(path, content, force=force, by="--force")
     put(path, content, force=force)
     return tuple(f"{path.name}: {each.detail}" for each in lost)
 
