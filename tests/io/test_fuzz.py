@@ -2,6 +2,7 @@
 
 import io as streams
 import itertools
+import json
 import struct
 import zipfile
 from collections.abc import Iterator
@@ -211,6 +212,15 @@ def but(name: str, old: bytes, new: bytes, file: str = "") -> bytes:
     return content.replace(old, new)
 
 
+def unseen(first: int) -> bytes:
+    """An array of joints in pixels whose coordinates from one of them on are NaN."""
+    places = np.full((4, 17, 3), 100.0)
+    places[..., first:] = np.nan
+    file = streams.BytesIO()
+    np.save(file, places)
+    return file.getvalue()
+
+
 AMC = amc()["s_01.amc"]
 SHAPE = b"(4, 22, 3)"
 FOUND = {
@@ -235,6 +245,12 @@ FOUND = {
     "steps without end": ("clip.csv", b"time,A_x,A_y,A_z\n0,1,2,3\n1e149,1,2,3\n2e149,1,2,3\n"),
     "a NaN that signals": ("clip.npz", signalling()),
     "the last byte missing": ("clip.npz", SEEDS["archive of points"]()["clip.npz"][:-1]),
+    "an array of nobody": ("clip.npy", unseen(2)),
+    "an array of no depths": ("clip.npy", unseen(1)),
+    "confidences of nobody": (
+        "clip.json",
+        json.dumps([{"image_id": "1.jpg", "keypoints": [5.0, 6.0, None] * 17}]).encode(),
+    ),
 }
 
 

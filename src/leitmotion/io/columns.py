@@ -20,7 +20,7 @@ import numpy as np
 
 from leitmotion.io.landmarks import find_landmarks
 from leitmotion.io.numerals import read_rows
-from leitmotion.io.points import split_people
+from leitmotion.io.points import plane_unit, split_people
 from leitmotion.io.reading import Draft, Finding, PointTake, Source
 from leitmotion.io.table_timing import time_rows
 from leitmotion.io.units import METRES, unit_named
@@ -41,7 +41,6 @@ _NO_POINT = re.compile(
     r"vel|velocity|speed|force|torque|moment|q|o)[\s_.:\-\[(]*$",
     re.IGNORECASE,
 )
-_PIXELS = 20.0  # coordinates in a plane beyond this are pixels
 _JOINTS = ("shoulder", "elbow", "wrist", "hip", "knee", "ankle", "spine", "neck", "hand")
 _FEW = 8  # names that a warning lists
 
@@ -211,7 +210,7 @@ def read_columns(
         if "kind" in stated
         else split_people(names, positions, kind, sure),
         rate=timing.rate,
-        unit=unit or (_plane_unit(positions) if flat else None),
+        unit=unit or (plane_unit(positions, "points in a plane") if flat else None),
         up=Finding(up, "read", "stated by the table")
         if up in UP and (up.endswith("y") or not flat)
         else None,
@@ -278,13 +277,6 @@ def _unit(stated: Mapping[str, str], warnings: list[str]) -> Finding | None:
             f"The unit {word!r} is none of {', '.join(METRES)}, px, relative; it was judged anew."
         )
     return Finding(named, "read", "stated by the table") if named else None
-
-
-def _plane_unit(positions: np.ndarray) -> Finding:
-    seen = np.abs(positions[np.isfinite(positions)])
-    if seen.size and seen.max() > _PIXELS:
-        return Finding("px", "guessed", "points in a plane with coordinates as large as pixels")
-    return Finding("relative", "guessed", "points in a plane with coordinates too small for pixels")
 
 
 def _kind(names: list[str]) -> str:

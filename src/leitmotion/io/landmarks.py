@@ -7,13 +7,13 @@ from typing import NamedTuple
 import numpy as np
 
 from leitmotion.io.joint_sets import BLAZEPOSE
+from leitmotion.io.points import plane_unit
 from leitmotion.io.reading import Finding
 
 _COUNT = len(BLAZEPOSE.joints)
 _BOTH_SIGNS = (
     0.1  # share of coordinates below zero that points about the hips have, and those in a picture have not
 )
-_PIXELS = 20.0
 
 
 class Landmarks(NamedTuple):
@@ -52,5 +52,4 @@ def find_landmarks(names: list[str], positions: np.ndarray, warnings: list[str])
         return Landmarks(own, positions, Finding("m", "guessed", "landmarks about the middle of the hips"))
     if positions.shape[-1] == 3:
         warnings.append("The depth of the points is no length in the picture's unit and was left out.")
-    pixels = bool(seen.size) and float(np.abs(seen).max()) > _PIXELS
-    return Landmarks(own, flat, Finding("px" if pixels else "relative", "guessed", "landmarks in a picture"))
+    return Landmarks(own, flat, plane_unit(flat, "landmarks in a picture"))

@@ -17,10 +17,9 @@ from typing import Any
 import numpy as np
 
 from leitmotion.io.joint_sets import BLAZEPOSE, IN_IMAGES, IN_SPACE, JointSet, set_of
-from leitmotion.io.points import FARTHEST, unseen_in_origin
+from leitmotion.io.points import FARTHEST, in_pixels, is_confidence, plane_unit, unseen_in_origin
 from leitmotion.io.reading import Draft, Finding, PointTake, SkeletonTake, Source
 
-_PIXELS = 20.0  # coordinates in a picture beyond this are pixels, as in tables
 _FEATURES = {
     263: "HumanML3D features, from which places follow only with that project's code",
     251: "KIT-ML features, from which places follow only with that project's code",
@@ -87,7 +86,7 @@ def _points(source: Source, values: np.ndarray) -> Draft:
         )
     warnings: list[str] = []
     count, sure = values.shape[1], None
-    if values.shape[2] == 3 and _third_is_confidence(values):
+    if values.shape[2] == 3 and in_pixels(values[..., :2]) and is_confidence(values[..., 2]):
         values, sure = values[..., :2], np.clip(np.nan_to_num(values[..., 2]), 0.0, 1.0)
         warnings.append("The third numbers lie within 0 and 1 beside pixels and were taken as confidences.")
     flat = values.shape[2] == 2
@@ -108,23 +107,11 @@ def _points(source: Source, values: np.ndarray) -> Draft:
     return Draft(
         [PointTake(list(joints.joints), values, "joint", sure)],
         rate=Finding(joints.rate, "guessed", joints.usual),
-        unit=_plane_unit(values) if flat else None,
+        unit=plane_unit(values) if flat else None,
         up=up,
         findings={"joints": Finding(joints.name, "guessed", kind)},
         warnings=warnings,
     )
-
-
-def _third_is_confidence(values: np.ndarray) -> bool:
-    across = np.nanmax(np.abs(values[..., :2]), initial=0.0)
-    third = values[..., 2]
-    return bool(across > _PIXELS and np.nanmin(third) >= 0.0 and 0.0 < np.nanmax(third) <= 1.0)
-
-
-def _plane_unit(values: np.ndarray) -> Finding:
-    if np.nanmax(np.abs(values), initial=0.0) > _PIXELS:
-        return Finding("px", "guessed", "points in a picture with coordinates as large as pixels")
-    return Finding("relative", "guessed", "points in a picture with coordinates too small for pixels")
 
 
 def _pickled(source: Source) -> Draft:

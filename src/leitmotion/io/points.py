@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import numpy as np
 
-from leitmotion.io.reading import PointTake
+from leitmotion.io.reading import Finding, PointTake
 
 FARTHEST = 1e12
 """No unit that is known puts anything on a person as far from the origin."""
+
+_PIXELS = 20.0  # coordinates in a picture beyond this are pixels
 
 OTHERS = "others"
 """What the points without a subject are called where others have one."""
@@ -121,3 +123,46 @@ def unseen_in_origin(positions: np.ndarray, warnings: list[str]) -> np.ndarray:
     if count:
         warnings.append(f"{count} places lie exactly in the origin or at infinity and were taken as unseen.")
     return positions
+
+
+def in_pixels(positions: np.ndarray) -> bool:
+    """Whether coordinates (..., 2) of points in a plane are as large as pixels, not shares of a picture."""
+    return bool(np.fmax.reduce(np.abs(positions), axis=None, initial=0.0) > _PIXELS)
+
+
+def plane_unit(positions: np.ndarray, what: str = "points in a picture") -> Finding:
+    """Guess the unit of points in a plane.
+
+    Parameters
+    ----------
+    positions : (..., 2) float
+        Where they are, NaN where unseen.
+    what : str
+        What the points are, for the reason.
+
+    Returns
+    -------
+    Finding
+        "px" or "relative".
+
+    Examples
+    --------
+    >>> plane_unit(np.array([[320.0, 240.0]])).value, plane_unit(np.array([[0.5, np.nan]])).value
+    ('px', 'relative')
+    """
+    if in_pixels(positions):
+        return Finding("px", "guessed", f"{what} with coordinates as large as pixels")
+    return Finding("relative", "guessed", f"{what} with coordinates too small for pixels")
+
+
+def is_confidence(third: np.ndarray) -> bool:
+    """Whether third numbers (...) of points may be confidences: within 0 and 1, and not all zero.
+
+    Examples
+    --------
+    >>> is_confidence(np.array([0.0, 0.9, np.nan])), is_confidence(np.full(3, np.nan)), is_confidence(np.zeros(3))
+    (True, False, False)
+    """
+    lowest = np.fmin.reduce(third, axis=None, initial=np.inf)
+    highest = np.fmax.reduce(third, axis=None, initial=-np.inf)
+    return bool(lowest >= 0.0 and 0.0 < highest <= 1.0)

@@ -205,7 +205,7 @@ class _Layout:
         numbers = self.array(value)
         if numbers.ndim == 1:
             numbers = numbers.reshape(-1, self.width(numbers.size, value))
-            if numbers.shape[1] == 3 and np.nanmin(numbers[:, 2]) >= 0.0:
+            if numbers.shape[1] == 3 and np.fmin.reduce(numbers[:, 2], initial=np.inf) >= 0.0:
                 return Pose(numbers[:, :2], numbers[:, 2])
             return Pose(numbers)
         if numbers.ndim != 2 or numbers.shape[1] not in (2, 3, 4):

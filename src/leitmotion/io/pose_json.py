@@ -20,7 +20,7 @@ from leitmotion.io.companions import clip_name, clips_in, frame_of
 from leitmotion.io.containers import listing, read_file
 from leitmotion.io.joint_sets import BLAZEPOSE, IN_IMAGES, IN_SPACE, JointSet, set_of
 from leitmotion.io.json_text import parse
-from leitmotion.io.points import FARTHEST
+from leitmotion.io.points import FARTHEST, in_pixels, is_confidence, plane_unit
 from leitmotion.io.pose_documents import FRAME_RATES, Document, frames_of
 from leitmotion.io.pose_tracks import Pose, people
 from leitmotion.io.reading import Draft, Finding, PointTake, Source
@@ -32,7 +32,6 @@ _WORDS = re.compile(
     re.IGNORECASE,
 )
 _SPARSEST = 10  # frames a file beyond which files of one name are no clip
-_PIXELS = 20.0  # coordinates beyond this are pixels, as in tables
 _ABOUT_HIPS = 0.1  # metres from the origin within which the middle of the hips lies where it is the origin
 _IMAGE_UP = Finding("-y", "read", "image coordinates: y points down")
 
@@ -155,8 +154,7 @@ def _confidence_apart(frames: list[list[Pose]]) -> list[list[Pose]]:
         return frames
     points = np.concatenate([pose.points for pose in poses])
     points = points[np.isfinite(points).all(axis=1)]
-    within = bool(len(points)) and points[:, 2].min() >= 0.0 and 0.0 < points[:, 2].max() <= 1.0
-    if not within or (np.abs(points[:, :2]).max() <= _PIXELS and points.min() < 0.0):
+    if not is_confidence(points[:, 2]) or (not in_pixels(points[:, :2]) and points.min() < 0.0):
         return frames
     return [
         [_seen(Pose(pose.points[:, :2], np.nan_to_num(pose.points[:, 2]), pose.who)) for pose in frame]
@@ -171,7 +169,7 @@ def _joint_set(count: int, dimensions: int, poses: Sequence[Pose]) -> JointSet |
 
 
 def _in_pixels(poses: Sequence[Pose]) -> bool:
-    return any(np.nanmax(np.abs(pose.points[:, :2]), initial=0.0) > _PIXELS for pose in poses)
+    return any(in_pixels(pose.points[:, :2]) for pose in poses)
 
 
 def _unit(takes: list[PointTake], dimensions: int, warnings: list[str]) -> Finding:
@@ -180,17 +178,17 @@ def _unit(takes: list[PointTake], dimensions: int, warnings: list[str]) -> Findi
         return Finding(
             "m", "guessed", "points in space about the middle of the hips, as MediaPipe tells them"
         )
-    seen = [np.abs(take.positions[..., :2]) for take in takes]
     if dimensions == 3:
         for take in takes:
             take.positions = take.positions[..., :2]
         warnings.append("The depth of the points is no length in the picture's unit and was left out.")
-    if max(float(np.nanmax(values, initial=0.0)) for values in seen) > _PIXELS:
-        return Finding("px", "guessed", "points in a picture with coordinates as large as pixels")
-    warnings.append(
-        "Coordinates are shares of the picture's width and height, so that lengths across and along differ in scale."
-    )
-    return Finding("relative", "guessed", "points in a picture with coordinates too small for pixels")
+    unit = plane_unit(np.concatenate([take.positions[..., :2].ravel() for take in takes]))
+    if unit.value == "relative":
+        warnings.append(
+            "Coordinates are shares of the picture's width and height, so that lengths across and along "
+            "differ in scale."
+        )
+    return unit
 
 
 def _about_hips(takes: list[PointTake]) -> bool:
