@@ -172,3 +172,20 @@ def test_a_real_recording_survives_the_way_out_and_in(data, tmp_path, name):
     reading = io.open_recording(io.write(recording, tmp_path / "trial.c3d"))
     assert_same(reading.recordings[0], points)
     assert reading.warnings == ()
+
+
+@pytest.mark.parametrize("count", [65_536, 70_000])
+def test_more_points_than_the_format_counts_are_refused(count):
+    points = Trajectories(tuple(f"p{k}" for k in range(count)), np.zeros((1, count, 3)), rate=50)
+    with pytest.raises(ParameterError, match=f"at most 65,535 points, got {count:,}"):
+        write(points)
+
+
+@pytest.mark.parametrize("kind", ["marker", "joint"])
+def test_the_kind_of_the_points_takes_no_room_from_their_labels(tmp_path, kind):
+    """Twelve thousand labels of ten letters fill the section of parameters nearly."""
+    names = tuple(f"point{k:05}" for k in range(12_000))
+    points = Trajectories(names, np.ones((1, len(names), 3)), rate=50, kind=kind)
+    (tmp_path / "many.c3d").write_bytes(write(points))
+    (back,) = io.open_recording(tmp_path / "many.c3d").recordings
+    assert (back.names, back.kind) == (names, kind)

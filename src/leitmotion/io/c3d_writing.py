@@ -19,7 +19,7 @@ from leitmotion.io.c3d_parameters import BLOCK, INTEL
 from leitmotion.io.units import METRES, unit_in_metres
 from leitmotion.motion import Motion, ParameterError, Trajectories, joint_points
 
-_FULL = 0xFFFF  # the largest frame number that the first block holds
+_FULL = 0xFFFF  # the largest number of frames, and of points, that the first block holds
 _WIDEST = 0xFF  # a text and a list may be this long
 _LARGEST = 0x7FFF  # bytes of a parameter: some programs read the way to the next one as a signed number
 _BLOCKS = 0xFF  # blocks of parameters
@@ -49,8 +49,8 @@ def write(recording: Motion | Trajectories, *, unit: str = "mm") -> bytes:
     Raises
     ------
     ParameterError
-        When the points lie in a plane, there is no frame or no point, a label is longer than 255 bytes or no text that
-        UTF-8 can hold, the labels are too many for the format, or the unit has no name.
+        When the points lie in a plane, there is no frame or no point or more than 65,535 points, a label is longer
+        than 255 bytes or no text that UTF-8 can hold, the labels are too many for the format, or the unit has no name.
 
     Examples
     --------
@@ -70,6 +70,10 @@ def write(recording: Motion | Trajectories, *, unit: str = "mm") -> bytes:
         )
     if not frames or not count:
         raise ParameterError(f"A C3D holds at least one frame of one point, got {frames} frames of {count}.")
+    if count > _FULL:
+        raise ParameterError(
+            f"A C3D holds at most {_FULL:,} points, got {count:,}.", remedy="Write them as .npz."
+        )
     word, metres = _unit(points, unit)
     section = _parameters(points, word)
     data_block = 2 + len(section) // BLOCK
@@ -115,7 +119,7 @@ def _parameters(points: Trajectories, unit: str) -> bytes:
             _texts("X_SCREEN", [b"+X"]),
             _texts("Y_SCREEN", [b"+Y"]),
             *_lists("LABELS", labels),
-            *_lists("DESCRIPTIONS", [points.kind.encode()] * count),
+            _texts("DESCRIPTIONS", [points.kind.encode()]),  # that of the first stands for all
         ]
         analog = [_integers("USED", 0), _floats("GEN_SCALE", 1.0), _floats("RATE", points.rate)]
         last = [
