@@ -112,7 +112,8 @@ def listing(folder: Path) -> list[Path]:
     file, _ = _split(folder)
     try:
         if os.path.isfile(file):
-            return [file / name for name in _members(file) if (file / name).parent == folder]
+            with _archive(file) as archive:
+                return list(archive.folders.get(folder, ()))
         return [Path(entry.path) for entry in os.scandir(folder)]
     except (OSError, ValueError):
         return []
@@ -222,6 +223,8 @@ class _Archive(NamedTuple):
 
     box: zipfile.ZipFile
     members: dict[str, zipfile.ZipInfo]
+    folders: dict[Path, list[Path]]
+    """The addresses of the files in each folder."""
 
 
 @lru_cache(maxsize=1)  # the frames of a clip may be thousands of members, and all are named in one place
@@ -230,11 +233,16 @@ def _opened(file: Path, _version: tuple[int, ...]) -> _Archive:
     members = {info.filename.replace("\\", "/"): info for info in box.infolist()}
     for name in members:
         if name.startswith("/") or ".." in name.split("/") or "\0" in name:
+            box.close()
             raise FormatError(
                 f"{file.name} names a file outside itself, {name!r}, and was not read.",
                 remedy="Get it from somewhere else.",
             )
-    return _Archive(box, {name: info for name, info in members.items() if not _is_junk(name)})
+    held = {name: info for name, info in members.items() if not _is_junk(name)}
+    folders: dict[Path, list[Path]] = {}
+    for name in held:
+        folders.setdefault((file / name).parent, []).append(file / name)
+    return _Archive(box, held, folders)
 
 
 @contextmanager
