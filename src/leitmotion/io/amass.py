@@ -22,6 +22,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from leitmotion.io.archive import promises_too_much
 from leitmotion.io.points import FARTHEST
 from leitmotion.io.reading import Draft, Finding, SkeletonTake, Source
 from leitmotion.io.smpl import BODIES, STATURE, mean_adult
@@ -39,7 +40,6 @@ _PLACE = ("trans", "transl", "smpl_trans")
 _RATE = ("mocap_framerate", "mocap_frame_rate", "framerate", "frame_rate", "fps")
 _UNKNOWN_RATE = 120.0  # of most of the sets in AMASS
 _Z_UP = np.array([[1.0, 0.0, 0.0], [0.0, 0.0, -1.0], [0.0, 1.0, 0.0]])  # of the T-pose, which has Y up
-_INFLATION = 100  # by how much a member may grow when unpacked, beyond a first 64 MB
 
 
 def read(source: Source) -> Draft:
@@ -173,7 +173,7 @@ class _Archive:
     def numbers(self, key: str) -> np.ndarray:
         """Read one member as numbers."""
         member = self.sizes[key]
-        if member.file_size > _INFLATION * member.compress_size + (64 << 20):
+        if promises_too_much(member.file_size, member.compress_size):
             raise self.source.error(
                 f"its member {key} promises {member.file_size / 1e9:.1f} GB, more than it can hold."
             )

@@ -39,7 +39,7 @@ _PACKAGE = "leitmotion"
 _ROOM = re.compile(rf"{_PACKAGE}(\.[a-z]\w*)+")
 """Modules that a header may name: of this package, none with a leading underscore (``__main__`` would run)."""
 
-_INFLATION = 100  # by how much a member may grow when unpacked, beyond a first 64 MB
+_INFLATION = 100  # by how much an array may grow when unpacked, beyond a first 64 MB
 
 
 def save(noun: Any, path: str | PathLike[str]) -> Path:
@@ -238,11 +238,22 @@ def _is_noun(kind: type) -> bool:
     )
 
 
+def promises_too_much(unpacked: int, packed: int) -> bool:
+    """Whether arrays of so many bytes are more than so few can hold.
+
+    Examples
+    --------
+    >>> promises_too_much(1 << 26, 1000), promises_too_much(1 << 30, 1000)
+    (False, True)
+    """
+    return unpacked > _INFLATION * packed + (64 << 20)
+
+
 def _members(content: bytes, name: str) -> tuple[dict[str, Any], dict[str, np.ndarray]]:
     try:
         with zipfile.ZipFile(io.BytesIO(content)) as box:
             promised = sum(member.file_size for member in box.infolist())
-            if promised > _INFLATION * len(content) + (64 << 20):
+            if promises_too_much(promised, len(content)):
                 raise FormatError(f"{name} promises {promised / 1e9:.1f} GB, more than such a file can hold.")
         with np.load(io.BytesIO(content), allow_pickle=False) as box, warnings.catch_warnings():
             warnings.simplefilter("ignore")  # of a header that looks as Python 2 wrote it

@@ -212,25 +212,6 @@ def from_rotation_vector(vectors: np.ndarray) -> np.ndarray:
     return np.concatenate((np.cos(half), vectors / 2 * np.sinc(half / np.pi)), axis=-1)
 
 
-def as_rotation_vector(q: np.ndarray) -> np.ndarray:
-    """Write rotations as axis times angle, the shorter way round.
-
-    Parameters
-    ----------
-    q : (..., 4) float
-        Unit quaternions.
-
-    Returns
-    -------
-    (..., 3) float
-        Of length 0 to π.
-    """
-    q = np.asarray(q, dtype=np.float64)
-    q = np.where(q[..., :1] < 0, -q, q)
-    half = np.arctan2(np.linalg.norm(q[..., 1:], axis=-1, keepdims=True), q[..., :1])
-    return q[..., 1:] * 2 / np.sinc(half / np.pi)
-
-
 def from_euler(order: str, angles: np.ndarray) -> np.ndarray:
     """Quaternion of intrinsic Euler angles, the order given by letters.
 
