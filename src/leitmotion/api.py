@@ -14,7 +14,7 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
-from leitmotion.body import ROLES, Body, BodyMap, embody, find_roles, map_from
+from leitmotion.body import ROLES, Body, BodyMap, embody, find_roles, map_of
 from leitmotion.body import swap_sides as exchanged
 from leitmotion.conversion import Converted, convert
 from leitmotion.datasets import compose_session
@@ -282,9 +282,7 @@ def _exchanged(recording: Recording, body_map: Roles | None) -> BodyMap:
         raise ParameterError(
             "The sides of a Body are settled.", remedy="Give the recording itself to have them exchanged."
         )
-    if body_map is None:
-        return exchanged(find_roles(recording))
-    return exchanged(body_map if isinstance(body_map, BodyMap) else map_from(body_map, recording))
+    return exchanged(map_of(recording, body_map))
 
 
 def _body(recording: Recording, body_map: Roles | None) -> Body:
@@ -295,9 +293,7 @@ def _body(recording: Recording, body_map: Roles | None) -> Body:
             f"A recording was expected, got {type(recording).__name__}.",
             remedy='Read the file first: leitmotion.read("dance.bvh").',
         )
-    if body_map is None or isinstance(body_map, BodyMap):
-        return embody(recording, body_map)
-    return embody(recording, map_from(body_map, recording))
+    return embody(recording, body_map)
 
 
 def _described(

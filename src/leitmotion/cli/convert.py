@@ -259,10 +259,14 @@ def _summarise(outcome: Outcome) -> None:
     console.print(
         f"Converted {len(results) - skipped} of {len(outcome.documents)}; {failed} failed, {skipped} skipped."
     )
-    counts = Counter(what for result in results for what in {change["what"] for change in result["changes"]})
+    made = [result for result in results if not result["skipped"]]
+    counts = Counter(what for result in made for what in {change["what"] for change in result["changes"]})
+    unread = counts.pop("unread", 0)
     if counts:
         told = ", ".join(f"{what} of {count}" for what, count in sorted(counts.items()))
         console.print(f"Changed: {told}. With --json each is told.")
+    if unread:
+        console.print(f"Not compared with what was read, as such files are only written here: {unread}.")
 
 
 def _to_standard_output(

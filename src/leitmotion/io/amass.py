@@ -66,6 +66,8 @@ def read(source: Source) -> Draft:
         key = box.first(_PLACE)
         trans = box.numbers(key) if key else np.zeros((frames, 3))
         rate = _rate(box)
+    if not frames:
+        raise source.error("expected at least one frame of poses, found none.")
     warnings = [
         f"The file holds no bone lengths: those of a mean adult of {STATURE:.2f} m were taken for the body's shape."
     ]
@@ -156,8 +158,11 @@ class _Archive:
             with zipfile.ZipFile(io.BytesIO(source.content)) as box:
                 self.sizes = {one.filename.removesuffix(".npy"): one for one in box.infolist()}
             self.box = np.load(io.BytesIO(source.content), allow_pickle=source.options.trust)
-        except Exception as error:  # of what is damaged NumPy raises anything
-            raise FormatError(f"{source.path.name} is no archive or is damaged: {error!r}.") from None
+        except Exception:  # of what is damaged NumPy raises anything
+            raise FormatError(
+                f"{source.path.name} is no archive or is damaged.",
+                remedy="Was it copied or downloaded completely?",
+            ) from None
         self.names = list(self.box.files)
 
     def __enter__(self) -> _Archive:
@@ -187,7 +192,9 @@ class _Archive:
                     f"its member {key} holds pickled Python objects, which can run code when they are read.",
                     remedy="If you trust where it comes from, read it with --trust (trust=True in Python).",
                 ) from None
-            raise self.source.error(f"its member {key} is damaged: {error!r}.") from None
+            raise self.source.error(
+                f"its member {key} is damaged.", remedy="Was it copied or downloaded completely?"
+            ) from None
         try:
             return held.astype(np.float64)
         except (TypeError, ValueError):

@@ -14,9 +14,7 @@ from leitmotion.io.points import FARTHEST
 from leitmotion.io.reading import Draft, Finding, Options, PointTake, SkeletonTake, Source
 from leitmotion.io.units import METRES, unit_in_metres
 from leitmotion.motion import Motion, ParameterError, Skeleton, Trajectories, rotations
-
-FASTEST = 1e6
-"""Hertz of the highest rate that is believed."""
+from leitmotion.motion.time import FASTEST
 
 IMAGE_UNITS = ("px", "relative")
 """Units of points that are not in metres and stay as they are."""

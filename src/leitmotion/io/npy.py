@@ -24,6 +24,7 @@ _FEATURES = {
     263: "HumanML3D features, from which places follow only with that project's code",
     251: "KIT-ML features, from which places follow only with that project's code",
 }
+_COMPLETE = "Was it copied or downloaded completely?"
 _SAVE = "Save the places as an array (T, J, 3), or as CSV with the columns time, NAME_x, NAME_y, NAME_z."
 
 
@@ -54,8 +55,8 @@ def read(source: Source) -> Draft:
         raise source.error(f"its header promises {_size(shape)} numbers, more than it holds.")
     try:
         values = np.load(io.BytesIO(source.content), allow_pickle=False).astype(np.float64)
-    except Exception as error:  # of what is damaged NumPy raises anything
-        raise source.error(f"is damaged: {error!r}.") from None
+    except Exception:  # of what is damaged NumPy raises anything
+        raise source.error("is damaged.", remedy=_COMPLETE) from None
     return _points(source, values)
 
 
@@ -69,8 +70,8 @@ def _header(source: Source) -> tuple[tuple[int, ...], np.dtype[Any]]:
             form = np.lib.format
             read_header = form.read_array_header_1_0 if version == (1, 0) else form.read_array_header_2_0
             shape, _, dtype = read_header(content)
-    except Exception as error:  # of what is damaged NumPy raises anything
-        raise source.error(f"is no NumPy array or is damaged: {error!r}.") from None
+    except Exception:  # of what is damaged NumPy raises anything
+        raise source.error("is no NumPy array or is damaged.", remedy=_COMPLETE) from None
     return shape, dtype
 
 

@@ -8,11 +8,11 @@ import numpy as np
 
 from leitmotion.io.reading import Finding, Source
 from leitmotion.io.timing import Timing, read_times
+from leitmotion.motion.time import FASTEST
 
 VIDEO_RATE = 30.0
 """Frames per second that are guessed where rows are the frames of a video and nothing tells their rate."""
 
-_FASTEST = 1e6  # hertz; a rate beyond it, or below its reciprocal, is none
 _STRETCH = 10.0  # frames a row beyond which the numbers of the frames are no numbers of frames
 
 
@@ -85,7 +85,7 @@ def time_rows(
 def _stated_rate(stated: str) -> Finding | None:
     number = re.match(r"\d+(?:\.\d*)?(?:[eE][+-]?\d+)?|\.\d+", stated)
     rate = float(number[0]) if number else 0.0
-    return Finding(rate, "read", "stated by the table") if 1.0 / _FASTEST < rate < _FASTEST else None
+    return Finding(rate, "read", "stated by the table") if 1.0 / FASTEST < rate < FASTEST else None
 
 
 def _by_number(rate: Finding, numbers: np.ndarray | None, warnings: list[str]) -> Timing:

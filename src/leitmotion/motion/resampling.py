@@ -15,6 +15,7 @@ import numpy as np
 from leitmotion.motion import rotations
 from leitmotion.motion.errors import ParameterError
 from leitmotion.motion.motion import Motion
+from leitmotion.motion.time import FASTEST
 from leitmotion.motion.trajectories import Trajectories
 
 R = TypeVar("R", Motion, Trajectories, Motion | Trajectories)
@@ -42,7 +43,7 @@ def resample(recording: R, rate: float) -> R:
     Raises
     ------
     ParameterError
-        When the rate is not positive and finite, or the recording is none.
+        When the rate is not above 0 and up to 1e6 Hz, or the recording is none.
 
     Examples
     --------
@@ -55,8 +56,8 @@ def resample(recording: R, rate: float) -> R:
         raise ParameterError(
             f"What is resampled is a Motion or Trajectories, got a {type(recording).__name__}."
         )
-    if not isinstance(rate, int | float) or not 0 < rate < math.inf:
-        raise ParameterError(f"rate must be a positive and finite number of hertz, got {rate!r}.")
+    if not isinstance(rate, int | float) or not 0 < rate <= FASTEST:
+        raise ParameterError(f"rate must be a number of hertz above 0 and up to {FASTEST:.0e}, got {rate!r}.")
     if rate == recording.rate:
         return recording
     before, share = _places(len(recording), recording.rate, float(rate))

@@ -4,6 +4,9 @@ from __future__ import annotations
 
 from leitmotion.motion.errors import ParameterError
 
+FASTEST = 1e6
+"""Hertz of the highest rate that is believed of a recording of movement."""
+
 
 def slice_rate(rate: float, frames: slice) -> float:
     """Rate of a recording after slicing it along time.
