@@ -243,6 +243,7 @@ FOUND = {
     "a rate of nothing": ("clip.csv", b"# rate: 1e-320\ntime,A_x,A_y,A_z\n0,1,2,3\n1,1,2,3\n"),
     "steps of nothing": ("clip.csv", b"time,A_x,A_y,A_z\n0,1,2,3\n1e-320,1,2,3\n2e-320,1,2,3\n"),
     "steps without end": ("clip.csv", b"time,A_x,A_y,A_z\n0,1,2,3\n1e149,1,2,3\n2e149,1,2,3\n"),
+    "a time beyond all": ("clip.csv", b"time,A_x,A_y,A_z\n0,1,2,3\n1e140,1,2,3\n2e-9,1,2,3\n3e-9,1,2,3\n"),
     "a NaN that signals": ("clip.npz", signalling()),
     "the last byte missing": ("clip.npz", SEEDS["archive of points"]()["clip.npz"][:-1]),
     "an array of nobody": ("clip.npy", unseen(2)),

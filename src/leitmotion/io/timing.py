@@ -14,6 +14,7 @@ _SHORTEST = 1e-12  # of a step that is one
 _GAP = 10.0  # median steps without a row that are a gap
 _DRIFT = 2.0  # steps by which a row may lie from where even steps put it
 _STRETCH = 10.0  # frames a row beyond which a table is mostly gap
+_LAST = 1e20  # beyond it a number is no time; the nanoseconds since 1970 are 1.8e18
 _TOLD = 3  # gaps that a warning names
 _AS_FRAMES = "or state the rate with --rate HZ, which makes each row a frame."
 
@@ -65,7 +66,7 @@ def read_times(source: Source, times: np.ndarray, column: str, warnings: list[st
     FormatError
         When there is one row only, the times do not grow, or the gaps are much longer than what lies between them.
     """
-    timed = np.flatnonzero(np.isfinite(times))
+    timed = np.flatnonzero(np.abs(times) < _LAST)
     spans, counts = np.diff(times[timed]), np.diff(timed)
     steps = spans / counts
     median = float(np.median(steps)) if steps.size else 0.0
