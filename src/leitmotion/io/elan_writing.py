@@ -106,7 +106,7 @@ def _media(media: str | Path | None) -> list[str]:
     if media is None:
         return []
     path = Path(media)
-    kind = mimetypes.guess_type(path.name)[0] or "unknown"
+    kind = mimetypes.MimeTypes().guess_type(path.name)[0] or "unknown"  # without the tables of the machine
     address = path.resolve().as_uri()
     return [
         f"    <MEDIA_DESCRIPTOR MEDIA_URL={quoteattr(address)} MIME_TYPE={quoteattr(kind)} "
