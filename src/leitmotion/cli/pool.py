@@ -95,17 +95,17 @@ def each_as_done(
         The place of a piece and what came of it, in the order in which they are done. Closing the iterator, or an
         interruption, ends all workers at once.
     """
-    todo = iter(enumerate(pieces))
+    waiting = iter(enumerate(pieces))
     busy: list[_Worker] = []
     try:
-        for place, piece in itertools.islice(todo, jobs):
+        for place, piece in itertools.islice(waiting, jobs):
             busy.append(_Worker(work))
             busy[-1].give(place, piece)
         while busy:
             ready: Any = wait([worker.pipe for worker in busy])
             for worker in [worker for worker in busy if worker.pipe in ready]:
                 place, result = worker.place, worker.take()
-                following = next(todo, None)
+                following = next(waiting, None)
                 if following is None or isinstance(result, Died):
                     worker.end()
                     busy.remove(worker)
