@@ -15,8 +15,6 @@ from __future__ import annotations
 
 import os
 import sys
-import tarfile
-import tempfile
 import time
 from collections.abc import Callable, Iterator
 from pathlib import Path
@@ -33,6 +31,7 @@ from leitmotion.motion import (
     forward_kinematics,
     joint_points,
 )
+from recordings import unpacked
 
 Row = tuple[str, str, str]
 Recording = Motion | Trajectories
@@ -40,6 +39,7 @@ WALKED_M = 2.0
 SAME_M = 1e-3
 MADE_ON = ("cmu86", "mocap6", "cmu_amc", "cmu_bvh", "hdm05")
 REPORTED = ("perfume_dance", "animated_drawings", "pymo")
+ARCHIVES = ("cmu_amc/cmu_amc_pack", "hdm05/hdm05_bd_bk_dg", "uiprmd/uiprmd_shared")
 CMU_ORDER = (
     "pelvis", "", "left_hip", "left_knee", "left_ankle", "left_toe", "", "right_hip", "right_knee", "right_ankle",
     "right_toe", "", "spine", "chest", "neck", "", "head", "left_clavicle", "left_shoulder", "left_elbow", "left_wrist",
@@ -58,9 +58,8 @@ def rows(made: bool = False) -> list[Row]:
     folder = os.environ.get("LEITMOTION_DATA")
     if not folder:
         return []
-    with tempfile.TemporaryDirectory() as unpacked:
-        paths = list(made_on(Path(folder)) if made else reported(Path(folder), Path(unpacked)))
-        return measure([recording for path in paths if (recording := readable(path)) is not None])
+    paths = made_on(Path(folder)) if made else reported(Path(folder))
+    return measure([recording for path in paths if (recording := readable(path)) is not None])
 
 
 def made_on(data: Path) -> Iterator[Path]:
@@ -71,19 +70,17 @@ def made_on(data: Path) -> Iterator[Path]:
     yield from sorted((data / "uiprmd").rglob("*_positions.txt"))
 
 
-def reported(data: Path, unpacked: Path) -> Iterator[Path]:
+def reported(data: Path) -> Iterator[Path]:
     """Paths of what is reported, archives unpacked."""
     for folder in REPORTED:
         yield from sorted((data / folder).glob("*.bvh"))
     yield from sorted((data / "bandai_namco").glob("dataset-2_*.bvh"))
     seen = {path.name.split("-")[0].removesuffix(".amc") for path in made_on(data)}
-    for archive in ("cmu_amc/cmu_amc_pack", "hdm05/hdm05_bd_bk_dg", "uiprmd/uiprmd_shared"):
-        with tarfile.open(data / f"{archive}.tar.xz") as packed:
-            packed.extractall(unpacked, filter="data")
-    for path in sorted(unpacked.rglob("*.amc")):
+    cmu, hdm, uiprmd = (unpacked(f"{archive}.tar.xz") for archive in ARCHIVES)
+    for path in [*sorted(cmu.rglob("*.amc")), *sorted(hdm.rglob("*.amc"))]:
         if path.stem.split("-")[0] not in seen and not path.name.startswith("HDM_bd"):
             yield path
-    for path in sorted(unpacked.rglob("Kinect/Positions/m*_e01_positions*.txt")):
+    for path in sorted(uiprmd.rglob("Kinect/Positions/m*_e01_positions*.txt")):
         if "_s01_" not in path.name:
             yield path
 
