@@ -6,8 +6,8 @@
 >>> lm.report(motion, "dance.html")                       # doctest: +SKIP
 
 The functions a person types stand here; each question of the field has a room of its own behind them, reached as
-``lm.io``, ``lm.body``, ``lm.features``, ``lm.repairs``, ``lm.similarity``, ``lm.discovery``, ``lm.view``. Importing
-this package loads nothing but itself: a name brings its room when it is first used.
+``lm.io``, ``lm.body``, ``lm.evaluation``, ``lm.features``, ``lm.repairs``, ``lm.similarity``, ``lm.discovery``,
+``lm.view``. Importing this package loads nothing but itself: a name brings its room when it is first used.
 """
 
 from __future__ import annotations
@@ -22,12 +22,15 @@ if TYPE_CHECKING:
         Converted,
         DataError,
         FormatError,
+        FoundPatterns,
         Info,
         LeitmotionError,
         Motion,
         ParameterError,
         Pattern,
         Patterns,
+        PatternScores,
+        PatternTruth,
         Repaired,
         Segmentation,
         Skeleton,
@@ -35,6 +38,7 @@ if TYPE_CHECKING:
         compose_session,
         convert,
         embody,
+        evaluate,
         find_patterns,
         find_roles,
         info,
@@ -56,11 +60,14 @@ __all__ = [
     "Converted",
     "DataError",
     "FormatError",
+    "FoundPatterns",
     "Info",
     "LeitmotionError",
     "Motion",
     "ParameterError",
     "Pattern",
+    "PatternScores",
+    "PatternTruth",
     "Patterns",
     "Repaired",
     "Segmentation",
@@ -69,6 +76,7 @@ __all__ = [
     "compose_session",
     "convert",
     "embody",
+    "evaluate",
     "find_patterns",
     "find_roles",
     "info",
@@ -83,7 +91,18 @@ __all__ = [
 ]
 
 _ROOMS = frozenset(
-    {"body", "datasets", "discovery", "features", "io", "motion", "repairs", "similarity", "view"}
+    {
+        "body",
+        "datasets",
+        "discovery",
+        "evaluation",
+        "features",
+        "io",
+        "motion",
+        "repairs",
+        "similarity",
+        "view",
+    }
 )
 
 

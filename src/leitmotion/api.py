@@ -19,6 +19,8 @@ from leitmotion.body import swap_sides as exchanged
 from leitmotion.conversion import Converted, convert
 from leitmotion.datasets import compose_session
 from leitmotion.discovery import Pattern, Patterns
+from leitmotion.evaluating import evaluate
+from leitmotion.evaluation import FoundPatterns, PatternScores, PatternTruth
 from leitmotion.features import FEATURES, FeatureSequence, extract
 from leitmotion.features.posture import choose_roles
 from leitmotion.inspection import Info, info
@@ -41,11 +43,14 @@ __all__ = [
     "Converted",
     "DataError",
     "FormatError",
+    "FoundPatterns",
     "Info",
     "LeitmotionError",
     "Motion",
     "ParameterError",
     "Pattern",
+    "PatternScores",
+    "PatternTruth",
     "Patterns",
     "Repaired",
     "Segmentation",
@@ -54,6 +59,7 @@ __all__ = [
     "compose_session",
     "convert",
     "embody",
+    "evaluate",
     "find_patterns",
     "find_roles",
     "info",

@@ -7,6 +7,7 @@ from leitmotion.io.formats import EXTENSIONS, Format
 from leitmotion.io.reading import Finding, Reading
 from leitmotion.io.sinks import write
 from leitmotion.io.sources import open_recording, read, read_all
+from leitmotion.io.unlabelled import read_unlabelled
 
 __all__ = [
     "EXTENSIONS",
@@ -19,6 +20,7 @@ __all__ = [
     "read",
     "read_all",
     "read_annotations",
+    "read_unlabelled",
     "save",
     "write",
     "write_annotations",

@@ -12,7 +12,6 @@ import csv
 import io
 import json
 import math
-import re
 from os import PathLike
 from pathlib import Path
 from typing import Any
@@ -20,7 +19,7 @@ from typing import Any
 import numpy as np
 
 from leitmotion.io.containers import read_file
-from leitmotion.io.dataset_labels import Row, from_aca, from_blocks
+from leitmotion.io.dataset_labels import Row, decoded, from_aca, from_blocks, is_aca, is_blocks
 from leitmotion.io.elan import read_eaf
 from leitmotion.io.elan_writing import eaf_of
 from leitmotion.io.files import write_whole
@@ -83,17 +82,14 @@ def read_annotations(
         )
     if path.suffix.lower() == ".eaf":
         return _segmentation(_from_eaf(content, rate, tier, path), rate, frames, path)
-    try:
-        text = content.decode("utf-8-sig")
-    except UnicodeDecodeError:
-        text = content.decode("latin-1")
+    text = decoded(content)
     if path.suffix.lower() == ".json" or text.lstrip().startswith(("{", "[")):
         rows = _from_json(text, rate, path)
-    elif re.fullmatch(r"[\d\s]+", text):
+    elif is_blocks(text):
         rows = from_blocks(text, rate, path)
     elif path.suffix.lower() in (".csv", ".tsv"):
         rows = _from_csv(text, rate, path)
-    elif re.search(r"^\S+[ \t]+\d+[ \t]+\d+[ \t]+\d+[ \t]*$", text, re.MULTILINE):
+    elif is_aca(text):
         rows = from_aca(text, rate, trial, path)
     else:
         rows = _from_csv(text, rate, path)

@@ -11,26 +11,59 @@ from pathlib import Path
 from leitmotion.motion import FormatError, ParameterError
 
 Row = tuple[float, float, str, float]  # start and stop in frames, label, score
+Span = tuple[float, float]  # start and stop in frames
 
 _ACA_RATE = 120.0
 _BLOCK = 12  # frames of 120 Hz in a block of the mocap6 labels
+_DOUBT = 0.25  # seconds before and after a change of label that stand in blocks of a tenth of a second
+
+
+def decoded(content: bytes) -> str:
+    """The text of a file of labels."""
+    try:
+        return content.decode("utf-8-sig")
+    except UnicodeDecodeError:
+        return content.decode("latin-1")
+
+
+def is_blocks(text: str) -> bool:
+    """Whether there is one number a block."""
+    return re.fullmatch(r"[\d\s]+", text) is not None
+
+
+def is_aca(text: str) -> bool:
+    """Whether there are lines of a name and three frames."""
+    return re.search(r"^\S+[ \t]+\d+[ \t]+\d+[ \t]+\d+[ \t]*$", text, re.MULTILINE) is not None
 
 
 def from_aca(text: str, rate: float, trial: str | None, path: Path) -> list[Row]:
     """Blocks of ``name earliest best latest``, the frames, from 1 at 120 Hz, with which a segment ends."""
-    blocks: dict[str, list[Row]] = {}
     rows: list[Row] = []
     begin = 0.0
+    for name, _, best, _ in _aca_block(text, trial, path):
+        end = best * rate / _ACA_RATE  # the last frame counted from 1 is the stop counted from 0
+        rows.append((begin, end, name, math.nan))
+        begin = end
+    return rows
+
+
+def aca_intervals(text: str, rate: float, trial: str | None, path: Path) -> list[Span]:
+    """From the earliest to the latest end that the annotator accepts of each segment, frames."""
+    block = _aca_block(text, trial, path)
+    scale = rate / _ACA_RATE
+    return [(earliest * scale, latest * scale) for _, earliest, _, latest in block if latest > earliest]
+
+
+def _aca_block(text: str, trial: str | None, path: Path) -> list[tuple[str, float, float, float]]:
+    """The lines of one trial."""
+    blocks: dict[str, list[tuple[str, float, float, float]]] = {}
+    rows: list[tuple[str, float, float, float]] = []
     for number, line in enumerate(text.splitlines(), 1):
         words = line.split()
         if len(words) == 2 and words[0].isdigit():
-            begin, rows = 0.0, blocks.setdefault("_".join(words), [])
-        elif len(words) == 4 and re.fullmatch(r"[0-9]{1,12}", words[2]):
-            end = (
-                float(words[2]) * rate / _ACA_RATE
-            )  # the last frame counted from 1 is the stop counted from 0
-            rows.append((begin, end, words[0], math.nan))
-            begin = end
+            rows = blocks.setdefault("_".join(words), [])
+        elif len(words) == 4 and all(re.fullmatch(r"[0-9]{1,12}", word) for word in words[1:]):
+            rows.append((words[0], float(words[1]), float(words[2]), float(words[3])))
         elif words:
             raise FormatError(
                 f"{path.name}, line {number}: expected a trial or a name and three frames, found {line!r}."
@@ -63,3 +96,10 @@ def from_blocks(text: str, rate: float, path: Path) -> list[Row]:
             rows.append((begin * frames, (k + 1) * frames, names.get(number, str(number)), math.nan))
             begin = k + 1
     return rows
+
+
+def block_changes(text: str, rate: float, path: Path) -> list[Span]:
+    """A quarter of a second on both sides of each change of label, frames."""
+    doubt = _DOUBT * rate
+    rows = from_blocks(text, rate, path)
+    return [(max(start - doubt, 0.0), start + doubt) for start, _, _, _ in rows[1:]]
