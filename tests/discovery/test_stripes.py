@@ -1,10 +1,11 @@
-"""Stripes: the kernel against its twin, and what a stripe must be."""
+"""Stripes: the kernels against their twins, and what a stripe must be."""
 
 import numpy as np
 import pytest
 
-from leitmotion.discovery import stripes
-from leitmotion.discovery._kernels import NONE, align_locally, walk_back
+from leitmotion.discovery import _kernels, stripes, tracing
+from leitmotion.features import FeatureSequence
+from leitmotion.similarity import Distances, self_distance
 from oracles import stripes as twin
 
 
@@ -14,83 +15,175 @@ def wave(periods, rate=30, period_s=1.0, joints=3):
     return np.stack([0.3 * np.cos(phase + k) for k in range(joints * 3)], axis=1)
 
 
-def matrix(postures):
-    a = postures.reshape(len(postures), -1, 3)
-    return np.linalg.norm(a[:, None] - a[None], axis=-1).mean(axis=-1).astype(np.float32)
+def compared(postures, rate=30.0):
+    names = tuple(f"joint {k}" for k in range(postures.shape[1] // 3))
+    return Distances(FeatureSequence(postures, names, rate, ("place",), 3))
 
 
-def trace(D, rate=30.0):
-    alike = stripes.likeness(D, rate, max_distance=0.08, min_amplitude=0.012)
-    return stripes.trace_stripes(D, alike, rate, max_distance=0.08, min_duration_s=0.5)
+def trace(postures):
+    distances = compared(postures)
+    alike = stripes.likeness(distances, max_distance=0.08, min_amplitude=0.012)
+    return tracing.trace_stripes(distances, alike, max_distance=0.08, min_duration_s=0.5).stripes
 
 
-def test_the_kernel_gives_every_path_the_gain_of_its_twin(rng):
-    walk = np.cumsum(rng.normal(scale=0.02, size=(60, 6)), axis=0)
-    walk[40:55] = walk[5:20] + rng.normal(scale=0.002, size=(15, 6))
-    D = matrix(walk)
-    theta = np.full(60, 0.06, np.float32)
-    still = np.zeros(60, bool)
-    still[50:53] = True
-    step_into, rows, columns, gains = align_locally(
-        D, theta, still, 0.03, np.float32(-0.1), np.float32(8), np.float32(0.5)
+@pytest.fixture(scope="module")
+def wandering():
+    """Two minutes of movement of which some comes back, with a rest and with moments that were not seen."""
+    rng = np.random.default_rng(4)
+    walk = np.cumsum(rng.normal(scale=0.015, size=(700, 6)), axis=0) % 0.5
+    walk[400:520] = walk[50:170] + rng.normal(scale=0.003, size=(120, 6))
+    walk[600:660] = walk[100:220:2] + rng.normal(scale=0.003, size=(60, 6))
+    walk[300:350] = walk[300]
+    walk[230:236] = np.nan
+    walk[470:480, :3] = np.nan
+    return walk
+
+
+@pytest.fixture(scope="module")
+def aligned(wandering):
+    distances = compared(wandering)
+    alike = stripes.likeness(distances, max_distance=0.08, min_amplitude=0.012)
+    live, _ = tracing._align(distances, alike, 0.08, 15, len(distances))
+    D = self_distance(distances.features).values
+    return live, D, twin.align_locally(D, alike.threshold, alike.still, 0.04, -0.1, 8.1)
+
+
+def live_cells(live):
+    """Steps of all live cells, by cell."""
+    cells = {}
+    for i, (first, stop) in enumerate(zip(live.row_offsets, live.row_offsets[1:], strict=False)):
+        for k in range(first, stop):
+            for at in range(live.places[k], live.places[k + 1]):
+                if live.steps[at] != _kernels.NONE:
+                    cells[i, int(live.starts[k] + at - live.places[k])] = int(live.steps[at])
+    return cells
+
+
+def test_the_cells_looked_at_are_those_that_hold_a_path(aligned):
+    live, _, (_, steps) = aligned
+    cells = live_cells(live)
+    assert len(cells) > 1000
+    assert set(cells) == set(steps)
+    came = {_kernels.START: None, _kernels.DIAGONAL: (1, 1), _kernels.STEEP: (2, 1), _kernels.FLAT: (1, 2)}
+    for (i, j), how in cells.items():
+        expected = None if came[how] is None else (i - came[how][0], j - came[how][1])
+        assert expected == steps[i, j]
+
+
+def test_the_kernel_gives_every_path_the_gain_of_its_twin(aligned):
+    live, _, (S, _) = aligned
+    assert len(live.rows) > 10
+    for i, j, gain in zip(live.rows, live.columns, live.gains, strict=True):
+        assert gain == pytest.approx(S[i, j], abs=1e-3)
+
+
+def test_no_two_postures_are_nearer_than_their_blocks_say(wandering, rng):
+    distances = compared(wandering)
+    theta = np.full(len(wandering), 0.1, np.float32)
+    theta[rng.integers(0, 700, 100)] = -1
+    bounds = _kernels.block_bounds(distances.across, 3, theta, 3)
+    begins, ends, offsets = _kernels.candidates(*bounds, 3, 3, 0, len(bounds[1]), 1000)
+    D = self_distance(distances.features).values
+    offered = np.zeros(D.shape, bool)
+    for c in range(len(offsets) - 1):
+        for k in range(offsets[c], offsets[c + 1]):
+            offered[3 * c : 3 * c + 3, begins[k] : ends[k]] = True
+    near = np.triu(np.minimum.outer(theta, theta) > D, 1)
+    assert near.any()
+    assert not (near & ~offered).any()
+    assert offered.mean() < 0.5
+
+
+def test_a_horizon_leaves_out_what_is_farther_apart_and_nothing_else(wandering):
+    distances = compared(wandering)
+    alike = stripes.likeness(distances, max_distance=0.08, min_amplitude=0.012)
+    far, near = (
+        tracing.trace_stripes(distances, alike, max_distance=0.08, min_duration_s=0.5, horizon_s=s)
+        for s in (np.inf, 300 / 30)
     )
-    S, steps = twin.align_locally(D, theta, still, 0.03, -0.1, 8.0)
-    assert len(rows) > 0
-    for i, j, gain in zip(rows, columns, gains, strict=True):
-        assert gain == pytest.approx(S[i, j], abs=1e-4)
-    assert {(i, j) for i, j in np.argwhere(step_into != NONE)} == set(steps)
+    assert far.limits == near.limits == {}
+    assert max(stripe.lag for stripe in far.stripes) > 300
+    assert max(stripe.lag for stripe in near.stripes) <= 300
 
 
-def test_a_path_walked_back_never_goes_back_in_time_and_closes_its_corridor(rng):
-    D = matrix(wave(3))
-    theta = np.full(len(D), 0.06, np.float32)
-    step_into, rows, columns, gains = align_locally(
-        D, theta, np.zeros(len(D), bool), 0.03, np.float32(-0.1), np.float32(8), np.float32(3)
-    )
-    order = np.argsort(-gains)
-    points, offsets = walk_back(step_into, rows[order], columns[order], 4, 15)
-    assert len(offsets) > 1
-    for path in np.split(points, offsets[1:-1]):
+def test_where_room_is_short_the_horizon_comes_nearer_and_is_told(monkeypatch, wandering):
+    distances = compared(wandering)
+    alike = stripes.likeness(distances, max_distance=0.08, min_amplitude=0.012)
+    monkeypatch.setattr(tracing, "LIVE", 6000)
+    traced = tracing.trace_stripes(distances, alike, max_distance=0.08, min_duration_s=0.5)
+    assert 0 < traced.limits["compared_within_s"] < 700 / 30
+    assert max(stripe.lag for stripe in traced.stripes) <= 30 * traced.limits["compared_within_s"] + 1
+
+
+def test_a_path_walked_back_never_goes_back_in_time_and_closes_its_corridor(wandering):
+    distances = compared(wandering)
+    alike = stripes.likeness(distances, max_distance=0.08, min_amplitude=0.012)
+    live, _ = tracing._align(distances, alike, 0.08, 15, len(distances))
+    before = live_cells(live)
+    points, lengths, _ = tracing._follow(live, 30.0, 15)
+    assert len(lengths) > 2
+    after = live_cells(live)
+    for path in np.split(points, np.cumsum(lengths)[:-1]):
         steps = {tuple(int(n) for n in step) for step in np.diff(path, axis=0)}
         assert steps <= {(1, 1), (2, 1), (1, 2)}
-    assert all(step_into[i, j] == NONE for i, j in points)
+        assert min(path[-1] - path[0]) + 1 >= 15
+        for i, j in path.tolist():
+            square = {(i + a, j + b) for a in range(-4, 5) for b in range(-4, 5)}
+            assert not square & set(after)
+    assert set(after) < set(before)
 
 
 def test_a_swing_shows_one_stripe_a_period():
-    found = trace(matrix(wave(4)))
+    found = trace(wave(4))
     assert sorted(round(stripe.lag) for stripe in found) == [30, 60, 90]
     assert all(stripe.cost < 1e-3 and stripe.contrast > 0.95 for stripe in found)
 
 
 def test_stillness_shows_no_stripe(rng):
     still = np.zeros((200, 9)) + rng.normal(scale=0.001, size=(200, 9))
-    assert trace(matrix(still)) == []
+    assert trace(still) == []
 
 
 def test_time_reversed_movement_shows_no_stripe():
     once = np.cumsum(np.full((60, 9), 0.02), axis=0)
-    assert trace(matrix(np.concatenate((once, once[::-1])))) == []
+    assert trace(np.concatenate((once, once[::-1]))) == []
 
 
 def test_unseen_moments_are_never_alike():
-    D = matrix(wave(3))
-    D[40:50] = D[:, 40:50] = np.nan
-    found = trace(D)
+    swing = wave(3)
+    swing[40:50] = np.nan
+    D = self_distance(compared(swing).features).values
+    found = trace(swing)
+    assert found
     assert all(np.isfinite(stripe.cost) for stripe in found)
     assert all(np.isfinite(D[stripe.path[[0, -1], 0], stripe.path[[0, -1], 1]]).all() for stripe in found)
 
 
 def test_a_moment_is_carried_there_and_back():
-    stripe = max(trace(matrix(wave(3))), key=lambda s: s.gain)
+    stripe = max(trace(wave(3)), key=lambda s: s.gain)
     assert stripe.backward(stripe.forward(20.0)) == pytest.approx(20.0, abs=1.5)
 
 
 def test_a_part_is_measured_anew():
-    D = matrix(wave(3))
-    alike = stripes.likeness(D, 30.0, max_distance=0.08, min_amplitude=0.012)
-    whole = max(trace(D), key=lambda s: s.gain)
+    distances = compared(wave(3))
+    alike = stripes.likeness(distances, max_distance=0.08, min_amplitude=0.012)
+    whole = max(trace(wave(3)), key=lambda s: s.gain)
     half = np.arange(len(whole.path)) < len(whole.path) // 2
-    piece = stripes.part(whole, half, D, alike)
+    (piece,) = stripes.measure([stripes.part(whole, half)], distances, alike)
     assert piece.a[0] == whole.a[0]
     assert piece.a[1] < whole.a[1]
-    assert stripes.part(whole, np.zeros(len(half), bool), D, alike) is None
+    nothing = stripes.part(whole, np.zeros(len(half), bool))
+    assert stripes.measure([nothing], distances, alike) == [None]
+
+
+def test_a_stripe_is_measured_as_its_twin_says(wandering):
+    distances = compared(wandering)
+    alike = stripes.likeness(distances, max_distance=0.08, min_amplitude=0.012)
+    D = self_distance(distances.features).values
+    found = trace(wandering)
+    assert found
+    for stripe in found:
+        cost, background, gain = twin.measure(stripe.path, D, alike)
+        assert (stripe.cost, stripe.background, stripe.gain) == pytest.approx(
+            (cost, background, gain), rel=1e-5
+        )

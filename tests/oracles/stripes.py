@@ -24,3 +24,15 @@ def align_locally(D, theta, still, still_distance, still_gain, ceiling):
                 S[i, j] = S.get(source, 0.0) + gain
                 step[i, j] = source if source in H else None
     return np.array([[S.get((i, j), 0.0) for j in range(N)] for i in range(N)]), step
+
+
+def measure(path, D, alike):
+    """Cost, background and gain of a path that needs no trimming."""
+    i, j = path.T
+    d = D[i, j].astype(float)
+    gain = np.where(
+        alike.still[i] | alike.still[j], -0.1, 1 - d / np.minimum(alike.threshold[i], alike.threshold[j])
+    )
+    every = max(1, len(path) // 64)
+    block = D[i[0] : i[-1] + 1 : every, j[0] : j[-1] + 1 : every]
+    return np.nanmean(d), np.nanmedian(block), np.nansum(gain)

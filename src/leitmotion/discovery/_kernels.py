@@ -1,125 +1,415 @@
 # mypy: allow-untyped-defs
-"""Loops over the posture matrix. Plain arrays and numbers in, plain arrays out; nothing is checked here."""
+"""Loops that align a recording locally with itself. Plain arrays and numbers in, plain arrays out; nothing is checked.
+
+The posture matrix is never held. Of each row only the *live* cells are looked at: those where a path may begin, told
+by blocks of moments (`candidates`), and those that a path of the two rows before may enter. A row's live cells are kept
+as segments: where each begins, and where its steps stand in one long array of bytes.
+"""
+
+import math
 
 import numpy as np
 from numba import njit
 
+from leitmotion.similarity._kernels import distances_to
+
 NONE, START, DIAGONAL, STEEP, FLAT = 0, 1, 2, 3, 4  # how a path came into a cell
+TILE = 512  # blocks
+JOINED = 8  # columns: intervals nearer than this are looked at as one
 
 
-@njit(cache=True)
-def amplitudes(D, reach):
-    """Distance of the farthest posture within `reach` frames of each moment, shape (N,)."""
-    N = D.shape[0]
-    A = np.zeros(N, np.float32)
+@njit(cache=True, nogil=True)
+def first_apart(a, width, theta, reach):
+    """First moment after each that is no longer like it, looking at most `reach` moments ahead, shape (N,)."""
+    N = a.shape[1]
+    first = np.empty(N, np.int32)
+    C = np.empty(32, np.float32)
     for i in range(N):
-        for j in range(max(0, i - reach), min(N, i + reach + 1)):
-            if D[i, j] > A[i]:
-                A[i] = D[i, j]
-    return A
+        stop = min(N, i + 1 + reach)
+        j = i + 1
+        while j < stop:
+            n = min(32, stop - j)
+            distances_to(a, i, j, j + n, 1, width, C)
+            k = 0
+            while k < n and C[k] < min(theta[i], theta[j + k]):
+                k += 1
+            j += k
+            if k < n:
+                break
+        first[i] = j
+    return first
 
 
-@njit(cache=True)
-def align_locally(D, theta, still, still_distance, still_gain, ceiling, least):
-    """Align a recording locally with itself above the diagonal, by steps (1, 1), (2, 1) and (1, 2).
+@njit(cache=True, nogil=True)
+def block_bounds(a, width, theta, size):
+    """Summarise blocks of `size` moments: a centre, how far its moments are from it, and their greatest theta.
+
+    A group that some moment of a block did not see is NaN in its centre.
+    """
+    D, N = a.shape
+    M = D // width
+    B = (N + size - 1) // size
+    centres = np.empty((D, B), np.float32)
+    radius = np.zeros(B, np.float32)
+    most = np.empty(B, np.float32)
+    for b in range(B):
+        start, stop = b * size, min(N, (b + 1) * size)
+        middle = (start + stop) // 2
+        most[b] = theta[start:stop].max()
+        for m in range(M):
+            for k in range(m * width, (m + 1) * width):
+                centres[k, b] = a[k, middle] + a[k, start:stop].sum() * np.float32(0)
+        for i in range(start, stop):
+            total = np.float32(0)
+            for m in range(M):
+                square = np.float32(0)
+                for k in range(m * width, (m + 1) * width):
+                    dx = a[k, i] - centres[k, b]
+                    square += dx * dx
+                if square == square:
+                    total += math.sqrt(square)
+            radius[b] = max(radius[b], total / np.float32(M))
+    return centres, radius, most
+
+
+@njit(cache=True, nogil=True)
+def candidates(centres, radius, most, width, size, c0, c1, horizon):
+    """Find where postures may be alike in the rows of blocks c0 to c1: intervals of moments, where a block's begin.
+
+    The mean of norms is a metric: two moments are at least as far apart as the centres of their blocks less the radii.
+    """
+    B = centres.shape[1]
+    M = np.float32(centres.shape[0] // width)
+    near = np.zeros((c1 - c0, B), np.bool_)
+    C, square = np.empty(TILE, np.float32), np.empty(TILE, np.float32)
+    for b0 in range(c0, min(B, c1 + horizon), TILE):
+        tile = centres[:, b0 : b0 + TILE].copy()  # packed, stays in the cache for all rows
+        n = tile.shape[1]
+        for c in range(c0, c1):
+            if most[c] > 0:
+                _sum_of_norms(tile, centres[:, c], width, square, C)
+                for b in range(n):
+                    least = C[b] / M - radius[c] - radius[b0 + b]
+                    near[c - c0, b0 + b] = least < min(most[c], most[b0 + b]) + np.float32(1e-5)
+    begins, ends = np.empty(1024, np.int32), np.empty(1024, np.int32)
+    offsets = np.zeros(c1 - c0 + 1, np.int64)
+    found = 0
+    for c in range(c0, c1):
+        began = found
+        for b in range(c, min(B, c + horizon)):
+            if near[c - c0, b]:
+                start = b * size
+                if found > began and start - ends[found - 1] <= JOINED:
+                    ends[found - 1] = start + size
+                    continue
+                if found == begins.size:
+                    begins = np.concatenate((begins, np.empty_like(begins)))
+                    ends = np.concatenate((ends, np.empty_like(ends)))
+                begins[found], ends[found] = start, start + size
+                found += 1
+        offsets[c - c0 + 1] = found
+    return begins[:found], ends[:found], offsets
+
+
+@njit(cache=True, nogil=True)
+def _sum_of_norms(tile, one, width, square, C):
+    """Fill C with the sums over groups of the norms of tile[:, b] - one; what was not seen adds nothing."""
+    n = tile.shape[1]
+    for b in range(n):
+        C[b] = 0.0
+    for m in range(tile.shape[0] // width):
+        for b in range(n):
+            square[b] = 0.0
+        for k in range(m * width, (m + 1) * width):
+            x, xs = one[k], tile[k]
+            for b in range(n):
+                dx = xs[b] - x
+                square[b] += dx * dx
+        for b in range(n):
+            C[b] += math.sqrt(square[b]) if square[b] == square[b] else np.float32(0)
+
+
+@njit(cache=True, nogil=True)
+def step_into(
+    d, theta, thetas, still, stills, still_distance, still_gain, ceiling, H1, H2, H, S1, S2, S, G, step
+):
+    """Enter neighbouring cells of one row; no branch, so that it vectorises.
+
+    H1, H2 and S1, S2 are the row before and the row before that, H and S the row itself, all from two columns ahead of
+    the first cell on. Fills H, S, each cell's gain G and its step.
+    """
+    for k in range(thetas.size):
+        closeness = min(theta, thetas[k])
+        gain = np.float32(1) - d[k] / closeness
+        gain = gain if gain >= np.float32(-1) else np.float32(-1)  # also where nothing was seen
+        kept = still_gain if d[k] < still_distance else np.float32(-1)
+        gain = kept if still | stills[k] else gain
+        h, s = H1[k + 1], S1[k + 1]
+        how = np.uint8(DIAGONAL) if h > 0 else np.uint8(START)
+        better = H2[k + 1] > h + np.float32(1e-6)
+        h, s, how = (H2[k + 1], S2[k + 1], np.uint8(STEEP)) if better else (h, s, how)
+        better = H1[k] > h + np.float32(1e-6)
+        h, s, how = (H1[k], S1[k], np.uint8(FLAT)) if better else (h, s, how)
+        h = min(h, ceiling) + gain
+        live = h > 0
+        H[k + 2] = h if live else np.float32(0)
+        S[k + 2] = s + gain if live else np.float32(0)
+        step[k] = how if live else np.uint8(NONE)
+        G[k] = gain
+
+
+@njit(cache=True, nogil=True)
+def align_rows(
+    a, width, theta, still, first, still_distance, still_gain, ceiling, least, horizon,
+    i0, i1, size, begins, ends, offsets,
+    H, S, extended, lo, hi, count, steps, used,
+):  # fmt: skip
+    """Align rows i0 to i1 above the diagonal, by steps (1, 1), (2, 1) and (1, 2).
 
     A cell gains 1 - d / theta, never less than -1. H is the running gain: it starts anew where it would fall below
     0, and enters a step at most `ceiling` high, so that no path bridges a long gap. S is the gain without that
     ceiling. What is nearer to the diagonal than the first moment that differs is no return.
 
-    Returns the step into each cell and the ends of the paths: rows, columns and gains.
+    H and S (3, N + 3), two columns ahead and one behind, and extended (3, N) hold the last three rows; lo, hi (3, N)
+    and count (3,) the segments of their live cells.
+    Rows past the last only note the ends of paths. Writes the steps into the live cells from `used` on; returns where
+    the next go, or -1 - i where there is no room in row i; segments: row's offsets, first columns, places; and ends of
+    paths.
     """
-    N = D.shape[0]
-    step_into = np.zeros((N, N), np.int8)
-    H = np.zeros((3, N), np.float32)  # the last three rows
-    S = np.zeros((3, N), np.float32)
-    extended = np.zeros((3, N), np.bool_)
+    N = a.shape[1]
+    row_offsets = np.zeros(i1 - i0 + 1, np.int64)
+    seg_start, seg_at = np.empty(1024, np.int32), np.empty(1024, np.int64)
+    segs = 0
     rows, columns = np.empty(1024, np.int32), np.empty(1024, np.int32)
     gains = np.empty(1024, np.float32)
     found = 0
-    for i in range(N + 3):
+    C, G = np.empty(N, np.float32), np.empty(N, np.float32)
+    step = np.empty(N, np.uint8)
+    row_lo, row_hi = np.empty(N, np.int32), np.empty(N, np.int32)
+    for i in range(i0, i1):
         now, before, earlier = i % 3, (i - 1) % 3, (i - 2) % 3
-        left = np.float32(0.0)
-        for j in range(N):  # row i - 3 is complete: of neighbouring ends of paths note the best
-            right = S[now, j + 1] if j + 1 < N else np.float32(0.0)
-            ends = S[now, j] > least and not extended[now, j] and S[now, j] >= left and S[now, j] > right
-            left = S[now, j]
-            if ends:
-                if found == rows.size:
-                    rows = np.concatenate((rows, np.empty_like(rows)))
-                    columns = np.concatenate((columns, np.empty_like(columns)))
-                    gains = np.concatenate((gains, np.empty_like(gains)))
-                rows[found], columns[found], gains[found] = i - 3, j, S[now, j]
-                found += 1
-            H[now, j], S[now, j], extended[now, j] = 0.0, 0.0, False
+        for k in range(count[now]):  # row i - 3 is complete: of neighbouring ends of paths note the best
+            for j in range(lo[now, k], hi[now, k]):
+                s = S[now, j + 2]
+                if s > least and not extended[now, j] and s >= S[now, j + 1] and s > S[now, j + 3]:
+                    if found == rows.size:
+                        rows = np.concatenate((rows, np.empty_like(rows)))
+                        columns = np.concatenate((columns, np.empty_like(columns)))
+                        gains = np.concatenate((gains, np.empty_like(gains)))
+                    rows[found], columns[found], gains[found] = i - 3, j, s
+                    found += 1
+        for k in range(count[now]):
+            for j in range(lo[now, k], hi[now, k]):
+                H[now, j + 2], S[now, j + 2], extended[now, j] = 0.0, 0.0, False
+        count[now] = 0
         if i >= N:
+            row_offsets[i - i0 + 1] = segs
             continue
-        first = i + 1
-        while first < N and not D[i, first] >= min(theta[i], theta[first]):
-            first += 1
-        for j in range(first, N):
-            h, s, step = np.float32(0.0), np.float32(0.0), START
-            if i > 0 and H[before, j - 1] > h:
-                h, s, step = H[before, j - 1], S[before, j - 1], DIAGONAL
-            if i > 1 and H[earlier, j - 1] > h + 1e-6:
-                h, s, step = H[earlier, j - 1], S[earlier, j - 1], STEEP
-            if i > 0 and j > 1 and H[before, j - 2] > h + 1e-6:
-                h, s, step = H[before, j - 2], S[before, j - 2], FLAT
-            closeness = min(theta[i], theta[j])
-            if step == START and not D[i, j] < closeness:
-                continue  # most cells: no path comes here and none begins
-            if still[i] or still[j]:
-                gain = still_gain if D[i, j] < still_distance else np.float32(-1.0)
+        # Where to look: the union of three lists in order.
+        block = i // size - i0 // size
+        p, p_stop = offsets[block], offsets[block + 1]
+        q, r = 0, 0
+        stop = min(N, i + horizon)
+        intervals = 0
+        while True:
+            begin, end = N, N
+            which = 0
+            if p < p_stop:
+                begin, end, which = begins[p], ends[p], 1
+            if q < count[before] and lo[before, q] + 1 < begin:
+                begin, end, which = lo[before, q] + 1, hi[before, q] + 2, 2
+            if r < count[earlier] and lo[earlier, r] + 1 < begin:
+                begin, end, which = lo[earlier, r] + 1, hi[earlier, r] + 1, 3
+            if which == 0:
+                break
+            if which == 1:
+                p += 1
+            elif which == 2:
+                q += 1
             else:
-                gain = max(np.float32(1.0) - D[i, j] / closeness, np.float32(-1.0))
-                if not gain >= -1.0:  # nothing was seen
-                    gain = np.float32(-1.0)
-            h = min(h, ceiling) + gain
-            if h > 0:
-                H[now, j], S[now, j], step_into[i, j] = h, s + gain, step
-                if gain > 0:
-                    if step == DIAGONAL:
+                r += 1
+            begin, end = max(begin, first[i]), min(end, stop)
+            if begin >= end:
+                continue
+            if intervals > 0 and begin - row_hi[intervals - 1] <= JOINED:
+                row_hi[intervals - 1] = max(row_hi[intervals - 1], end)
+            else:
+                row_lo[intervals], row_hi[intervals] = begin, end
+                intervals += 1
+        live = 0
+        for m in range(intervals):
+            begin, end = row_lo[m], row_hi[m]
+            if used + end - begin > steps.size:
+                return -1 - i, row_offsets, seg_start, seg_at, rows, columns, gains
+            distances_to(a, i, begin, end, 1, width, C)
+            n = end - begin
+            step_into(
+                C, theta[i], theta[begin:end], still[i], still[begin:end], still_distance, still_gain, ceiling,
+                H[before, begin : end + 2], H[earlier, begin : end + 2], H[now, begin : end + 2],
+                S[before, begin : end + 2], S[earlier, begin : end + 2], S[now, begin : end + 2], G, step,
+            )  # fmt: skip
+            last = -2 * JOINED  # column of the last live cell
+            for k in range(n):
+                if step[k] == NONE:
+                    continue
+                j = begin + k
+                if G[k] > 0:
+                    if step[k] == DIAGONAL:
                         extended[before, j - 1] = True
-                    elif step == STEEP:
+                    elif step[k] == STEEP:
                         extended[earlier, j - 1] = True
-                    elif step == FLAT:
+                    elif step[k] == FLAT:
                         extended[before, j - 2] = True
-    return step_into, rows[:found], columns[:found], gains[:found]
+                if j - last > JOINED:
+                    if segs == seg_start.size:
+                        seg_start = np.concatenate((seg_start, np.empty_like(seg_start)))
+                        seg_at = np.concatenate((seg_at, np.empty_like(seg_at)))
+                    seg_start[segs], seg_at[segs] = j, used
+                    segs += 1
+                    lo[now, live] = j
+                    live += 1
+                else:
+                    for _ in range(last + 1, j):
+                        steps[used] = NONE
+                        used += 1
+                steps[used] = step[k]
+                used += 1
+                hi[now, live - 1] = j + 1
+                last = j
+        count[now] = live
+        row_offsets[i - i0 + 1] = segs
+    return (
+        used, row_offsets, seg_start[:segs], seg_at[:segs], rows[:found], columns[:found], gains[:found]
+    )  # fmt: skip
 
 
-@njit(cache=True)
-def walk_back(step_into, rows, columns, width, shortest):
-    """Follow the steps back from each end in turn and close a corridor of `width` frames around the path.
+@njit(cache=True, nogil=True)
+def _segment(row_offsets, seg_start, i, j):
+    """Last segment of row i that begins at or before column j, or the one before the row's first."""
+    low, high = row_offsets[i], row_offsets[i + 1]
+    while low < high:
+        middle = (low + high) // 2
+        if seg_start[middle] <= j:
+            low = middle + 1
+        else:
+            high = middle
+    return low - 1
+
+
+@njit(cache=True, nogil=True)
+def _place(row_offsets, seg_start, seg_at, i, j):
+    """Where the step into a cell stands, or -1."""
+    k = _segment(row_offsets, seg_start, i, j)
+    if k < row_offsets[i]:
+        return -1
+    at = seg_at[k] + j - seg_start[k]
+    return at if at < seg_at[k + 1] else -1
+
+
+@njit(cache=True, nogil=True)
+def _close(steps, row_offsets, seg_start, seg_at, i, first, stop):
+    """Take the steps away from columns [first, stop) of row i."""
+    k = max(_segment(row_offsets, seg_start, i, first), row_offsets[i])
+    while k < row_offsets[i + 1] and seg_start[k] < stop:
+        length = seg_at[k + 1] - seg_at[k]
+        for j in range(max(first, seg_start[k]), min(stop, seg_start[k] + length)):
+            steps[seg_at[k] + j - seg_start[k]] = NONE
+        k += 1
+
+
+@njit(cache=True, nogil=True)
+def walk_back(steps, row_offsets, seg_start, seg_at, rows, columns, width, shortest, k0, k1, path):
+    """Follow the steps back from ends k0 to k1 in turn and close a corridor of `width` moments around each path.
 
     A closed cell has no step any more, so that a later path stops where an earlier one ran. Returns the paths of at
-    least `shortest` frames in both directions, one after another (M, 2), and where each begins and the last ends.
+    least `shortest` moments in both directions, one after another (M, 2), and the length of each.
     """
-    N = step_into.shape[0]
-    path = np.empty((2 * N, 2), np.int64)
-    points = np.empty((1024, 2), np.int64)
-    offsets = [0]
+    N = row_offsets.size - 1
+    points = np.empty((4096, 2), np.int32)
+    lengths = [0]
     total = 0
-    for k in range(rows.size):
+    for k in range(k0, k1):
         i, j = rows[k], columns[k]
         n = 0
-        while step_into[i, j] != NONE:
+        while i >= 0 and j >= 0:
+            at = _place(row_offsets, seg_start, seg_at, i, j)
+            if at < 0 or steps[at] == NONE:
+                break
             path[n, 0], path[n, 1] = i, j
             n += 1
-            step = step_into[i, j]
+            step = steps[at]
             if step == START:
                 break
             i -= 2 if step == STEEP else 1
             j -= 2 if step == FLAT else 1
-        for m in range(n):
-            for a in range(max(0, path[m, 0] - width), min(N, path[m, 0] + width + 1)):
-                for b in range(max(0, path[m, 1] - width), min(N, path[m, 1] + width + 1)):
-                    step_into[a, b] = NONE
-        if n == 0 or min(path[0, 0] - path[n - 1, 0], path[0, 1] - path[n - 1, 1]) + 1 < shortest:
+        if n == 0:
+            continue
+        near, far = n - 1, n - 1  # points of the path, first to last in time, within `width` of a row
+        for row in range(max(0, path[n - 1, 0] - width), min(N, path[0, 0] + width + 1)):
+            while path[near, 0] < row - width:
+                near -= 1
+            while far > 0 and path[far - 1, 0] <= row + width:
+                far -= 1
+            _close(
+                steps, row_offsets, seg_start, seg_at, row, path[near, 1] - width, path[far, 1] + width + 1
+            )
+        if min(path[0, 0] - path[n - 1, 0], path[0, 1] - path[n - 1, 1]) + 1 < shortest:
             continue
         while total + n > len(points):
             points = np.concatenate((points, np.empty_like(points)))
         for m in range(n):
             points[total + m, 0], points[total + m, 1] = path[n - 1 - m, 0], path[n - 1 - m, 1]
         total += n
-        offsets.append(total)
-    return points[:total], np.array(offsets)
+        lengths.append(n)
+    return points[:total], np.array(lengths[1:], np.int64)
+
+
+@njit(cache=True, nogil=True)
+def measure_paths(a, width, theta, still, moving, points, offsets, sampled, kept, cost, background, gained):
+    """Trim each path to where it is alike and in motion at both ends, and measure it.
+
+    Fills kept (S, 2), the points that are left, none where nothing is; cost, background and gained (S,).
+    """
+    C = np.empty(4 * sampled, np.float32)
+    block = np.empty(16 * sampled * sampled, np.float32)
+    one = np.empty(1, np.float32)
+    longest = 0
+    for s in range(offsets.size - 1):
+        longest = max(longest, offsets[s + 1] - offsets[s])
+    d, gain = np.empty(longest), np.empty(longest)
+    for s in range(offsets.size - 1):
+        o = offsets[s]
+        n = offsets[s + 1] - o
+        begin, end = n, 0
+        for k in range(n):
+            i, j = points[o + k, 0], points[o + k, 1]
+            distances_to(a, i, j, j + 1, 1, width, one)
+            d[k] = one[0]
+            gain[k] = 1.0 - d[k] / min(theta[i], theta[j])
+            if still[i] or still[j]:
+                gain[k] = -0.1
+            if gain[k] > 0 and moving[i] and moving[j]:
+                begin, end = min(begin, k), k + 1
+        kept[s, 0], kept[s, 1] = begin, max(begin, end)
+        if begin >= end:
+            continue
+        total, seen, sum_of_gains = 0.0, 0, 0.0
+        for k in range(begin, end):
+            if d[k] == d[k]:
+                total += d[k]
+                seen += 1
+                sum_of_gains += gain[k] if gain[k] == gain[k] else 0.0
+            elif still[points[o + k, 0]] or still[points[o + k, 1]]:
+                sum_of_gains += gain[k]
+        cost[s], gained[s] = total / seen, sum_of_gains
+        i0, i1 = points[o + begin, 0], points[o + end - 1, 0] + 1
+        j0, j1 = points[o + begin, 1], points[o + end - 1, 1] + 1
+        every = max(1, (end - begin) // sampled)
+        seen = 0
+        for i in range(i0, i1, every):
+            distances_to(a, i, j0, j1, every, width, C)
+            for k in range((j1 - j0 + every - 1) // every):
+                if C[k] == C[k]:
+                    block[seen] = C[k]
+                    seen += 1
+        background[s] = np.median(block[:seen])

@@ -93,18 +93,19 @@ def overlap(a: tuple[float, float], b: tuple[float, float]) -> float:
 def _aligned(near: list[Stripe]) -> list[list[Stripe]]:
     """Stripes whose joint extents [Smin, Emax) agree, the shortest lag first."""
     groups: list[list[Stripe]] = []
+    starts, stops = np.zeros(len(near)), np.zeros(len(near))
     for stripe in near:
-        extent = (stripe.a[0], stripe.b[1])
-        best, share = None, ALIGNED
-        for group in groups:
-            other = (min(s.a[0] for s in group), max(s.b[1] for s in group))
-            union = max(extent[1], other[1]) - min(extent[0], other[0])
-            if overlap(extent, other) / union >= share:
-                best, share = group, overlap(extent, other) / union
-        if best is None:
-            groups.append([stripe])
+        start, stop = stripe.a[0], stripe.b[1]
+        n = len(groups)
+        shared = np.minimum(stops[:n], stop) - np.maximum(starts[:n], start)
+        share = np.maximum(0, shared) / (np.maximum(stops[:n], stop) - np.minimum(starts[:n], start))
+        best = len(share) - 1 - int(np.argmax(share[::-1])) if n else 0  # of equals the last
+        if n and share[best] >= ALIGNED:
+            groups[best].append(stripe)
+            starts[best], stops[best] = min(starts[best], start), max(stops[best], stop)
         else:
-            best.append(stripe)
+            groups.append([stripe])
+            starts[n], stops[n] = start, stop
     return groups
 
 
@@ -120,28 +121,37 @@ def _run_of(group: list[Stripe]) -> Run:
 
 def _without_multiples(runs: list[Run]) -> list[Run]:
     """Drop runs at a multiple of a shorter period, and small repeats inside one cycle of a larger one."""
-    kept = sorted(runs, key=lambda run: -run.period)
-    for long in list(kept):
-        if long not in kept:
+    by_period = sorted(runs, key=lambda run: -run.period)
+    kept = np.ones(len(runs), bool)
+    starts, stops, periods = (
+        np.array([getattr(run, what) for run in by_period]) for what in ("start", "stop", "period")
+    )
+    for k, long in enumerate(by_period):
+        if not kept[k]:
             continue  # lies inside a longer one
-        inside = [
-            run for run in kept
-            if run is not long and run.period < long.period / 1.4
-            and overlap((run.start, run.stop), (long.start, long.stop)) >= 0.7 * (run.stop - run.start)
-        ]  # fmt: skip
-        if not inside:
+        shared = np.minimum(stops, long.stop) - np.maximum(starts, long.start)
+        enough = np.maximum(0, shared) >= 0.7 * (stops - starts)
+        inside = np.flatnonzero(kept & (periods < long.period / 1.4) & enough)
+        if not inside.size:
             continue
-        covered = np.zeros(int(np.ceil(long.stop)) + 1, bool)
-        for run in inside:
-            covered[int(run.start) : int(run.stop)] = True
-        if covered[int(long.start) :].sum() >= MULTIPLE * (long.stop - long.start):
-            kept.remove(long)
-            for run in inside:
-                run.support.extend(long.support)
+        end = int(np.ceil(long.stop)) + 1
+        covered = _covered([(int(starts[i]), min(int(stops[i]), end)) for i in inside], int(long.start))
+        if covered >= MULTIPLE * (long.stop - long.start):
+            kept[k] = False
+            for i in inside:
+                by_period[i].support.extend(long.support)
         else:
-            for run in inside:
-                kept.remove(run)
-    return kept
+            kept[inside] = False
+    return [run for run, keep in zip(by_period, kept, strict=True) if keep]
+
+
+def _covered(spans: Sequence[tuple[int, int]], start: int) -> int:
+    """Length of the union of stretches from a start on."""
+    total, reached = 0, start
+    for first, stop in sorted(spans):
+        total += max(0, stop - max(first, reached))
+        reached = max(reached, stop)
+    return total
 
 
 def _joined(runs: list[Run]) -> list[Run]:
@@ -196,11 +206,12 @@ def _travelled(start: float, stop: float, speed: np.ndarray) -> float:
 def _apart(runs: list[Run]) -> list[Run]:
     """Of runs that overlap by half of the shorter, keep the one whose stripes gain most."""
     kept: list[Run] = []
+    starts, stops = np.zeros(len(runs)), np.zeros(len(runs))
     for run in sorted(runs, key=lambda run: -sum(s.gain for s in run.support)):
-        if all(
-            overlap((run.start, run.stop), (other.start, other.stop))
-            < 0.5 * min(run.stop - run.start, other.stop - other.start)
-            for other in kept
-        ):
+        n = len(kept)
+        shared = np.minimum(stops[:n], run.stop) - np.maximum(starts[:n], run.start)
+        shorter = np.minimum(stops[:n] - starts[:n], run.stop - run.start)
+        if (np.maximum(0, shared) < 0.5 * shorter).all():
+            starts[n], stops[n] = run.start, run.stop
             kept.append(run)
     return kept

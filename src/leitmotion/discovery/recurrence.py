@@ -20,13 +20,15 @@ import numpy as np
 
 from leitmotion.discovery.families import Run, cyclic_runs
 from leitmotion.discovery.pattern import Pattern, PatternPair, Patterns, cut_at_occurrences, letter
-from leitmotion.discovery.returns import Return, Theme, returns_of, themes_of
-from leitmotion.discovery.stripes import Likeness, Stripe, likeness, part, trace_stripes
+from leitmotion.discovery.returns import Return, returns_of
+from leitmotion.discovery.stripes import Likeness, Stripe, likeness, measure, part
+from leitmotion.discovery.themes import Theme, themes_of
+from leitmotion.discovery.tracing import trace_stripes
 from leitmotion.features.resampling import resample
 from leitmotion.features.sequence import FeatureSequence
 from leitmotion.motion.errors import ParameterError
 from leitmotion.motion.segmentation import Segmentation
-from leitmotion.similarity import align, self_distance
+from leitmotion.similarity import Distances, align
 
 WORKING_RATE = 30.0  # hertz
 MAX_DISTANCE = 0.08  # body sizes: mean distance of the joints of two postures that are alike
@@ -34,6 +36,7 @@ MIN_AMPLITUDE = 0.012  # body sizes: what the joints must move, on average, not 
 MIN_CONTRAST = 0.4  # a stripe must be this much nearer than its surroundings
 MIN_PERIOD_S = 0.25
 MIN_AGREEMENT = 0.5  # of the pairs of occurrences must be alike
+MISS_S = 600.0  # what comes nearest is looked for among stretches this far apart
 COMPARED = 60  # pairs of occurrences that are aligned to judge a pattern
 
 
@@ -93,13 +96,14 @@ def find_recurrences(
             f"too short for two stretches of {min_duration_s:g} s."
         )
         return Patterns((), (), features.rate, parameters, miss)
-    distances = self_distance(work).values
-    alike = likeness(distances, WORKING_RATE, max_distance=max_distance, min_amplitude=min_amplitude)
-    traced = trace_stripes(
-        distances, alike, WORKING_RATE, max_distance=max_distance, min_duration_s=min_duration_s
-    )
+    distances = Distances(work)
+    alike = likeness(distances, max_distance=max_distance, min_amplitude=min_amplitude)
+    traced = trace_stripes(distances, alike, max_distance=max_distance, min_duration_s=min_duration_s)
+    parameters |= traced.limits
     shortest = round(min_duration_s * WORKING_RATE)
-    stripes = [s for s in traced if s.contrast >= min_contrast and s.lag >= MIN_PERIOD_S * WORKING_RATE]
+    stripes = [
+        s for s in traced.stripes if s.contrast >= min_contrast and s.lag >= MIN_PERIOD_S * WORKING_RATE
+    ]
     themes = [_settled(theme) for theme in themes_of(cyclic_runs(stripes, alike.speed), stripes)]
     returns = returns_of(themes, stripes, distances, alike, shortest=shortest, min_contrast=min_contrast)
 
@@ -146,7 +150,7 @@ class _Scribe:
     """Writes themes and returns down as nouns, in frames and in the recording's own unit."""
 
     def __init__(
-        self, features: FeatureSequence, distances: np.ndarray, alike: Likeness, max_distance: float
+        self, features: FeatureSequence, distances: Distances, alike: Likeness, max_distance: float
     ) -> None:
         self.ratio = features.rate / WORKING_RATE
         self.frames = len(features)
@@ -162,7 +166,7 @@ class _Scribe:
             (a, b) for run in theme.runs for a, b in zip(run.borders[:-1], run.borders[1:], strict=True)
         ]
         extents = [(run.start, run.stop) for run in theme.runs]
-        shown = [piece for stripe in theme.stripes if (piece := self._within(stripe, extents)) is not None]
+        shown = self._within(theme)
         return self._write("cyclic", cycles, extents, shown)
 
     def acyclic(self, found: Return) -> _Found:
@@ -217,29 +221,23 @@ class _Scribe:
         """One point a moment of the working rate, and the last frame of the last moment."""
         last = np.maximum((path[-1:] + 1) * self.ratio - 1, path[-1:] * self.ratio)
         frames = np.round(np.concatenate((path * self.ratio, last))).astype(np.int64)
-        cost = float(np.nanmean(self.distances[path[:, 0], path[:, 1]]))
+        cost = float(np.nanmean(self.distances.along(path)))
         return PatternPair("?", np.minimum(frames, np.asarray(stop) - 1), cost * self.scale)
 
     def _compare(self, occurrences: Sequence[tuple[float, float]]) -> tuple[np.ndarray, np.ndarray]:
         """Align pairs of occurrences, neighbours first: mean distances (K,), and which pairs (K, 2)."""
-        count = len(occurrences)
-        pairs = sorted(((i, j) for i in range(count) for j in range(i + 1, count)), key=lambda p: p[1] - p[0])
-        if len(pairs) > COMPARED:
-            rest = np.linspace(count - 1, len(pairs) - 1, COMPARED - min(COMPARED // 2, count - 1)).astype(
-                int
-            )
-            pairs = pairs[: count - 1] + [pairs[k] for k in rest]
+        pairs = _compared(len(occurrences))
         costs = []
         for i, j in pairs:
-            rows, columns = _moments(occurrences[i]), _moments(occurrences[j])
-            costs.append(align(self.distances[rows, columns]).cost)
-        return np.array(costs), np.array(pairs)
+            rows, columns = (_moments(occurrences[k], len(self.distances)) for k in (i, j))
+            costs.append(align(self.distances.between(rows, columns)).cost)
+        return np.array(costs), pairs
 
-    def _within(self, stripe: Stripe, extents: Sequence[tuple[float, float]]) -> Stripe | None:
-        i, j = stripe.path[:, 0], stripe.path[:, 1]
-        rows = np.any([(i >= start) & (i < stop) for start, stop in extents], axis=0)
-        columns = np.any([(j >= start) & (j < stop) for start, stop in extents], axis=0)
-        return part(stripe, rows & columns, self.distances, self.alike)
+    def _within(self, theme: Theme) -> list[Stripe]:
+        """The parts of a theme's stripes that lie in its stretches."""
+        inside = theme.holds(len(self.distances))
+        paths = [part(s, inside[s.path[:, 0]] & inside[s.path[:, 1]]) for s in theme.stripes]
+        return [piece for piece in measure(paths, self.distances, self.alike) if piece is not None]
 
     def _segmentation(self, spans: Sequence[tuple[float, float]], scores: np.ndarray) -> Segmentation:
         borders = np.clip(np.round(np.array(spans) * self.ratio).astype(np.int64), 0, self.frames)
@@ -283,9 +281,22 @@ def _evidence(stripes: int) -> float:
     return max(stripes, 1) / (max(stripes, 1) + 0.25)
 
 
-def _moments(span: tuple[float, float]) -> slice:
+def _moments(span: tuple[float, float], moments: int) -> range:
     start = int(np.floor(span[0]))
-    return slice(start, max(start + 2, round(span[1])))
+    return range(start, min(moments, max(start + 2, round(span[1]))))
+
+
+def _compared(count: int) -> np.ndarray:
+    """Which of so many occurrences are compared, (K, 2): all pairs, neighbours first, or some at even steps."""
+    total = count * (count - 1) // 2
+    order = np.arange(total)
+    if total > COMPARED:
+        rest = np.linspace(count - 1, total - 1, COMPARED - min(COMPARED // 2, count - 1)).astype(int)
+        order = np.concatenate((np.arange(count - 1), rest))
+    before = np.cumsum([0, *range(count - 1, 0, -1)])  # pairs that stand less far apart than 1, 2, ...
+    apart = np.searchsorted(before, order, side="right")
+    first = order - before[apart - 1]
+    return np.stack((first, first + apart), axis=1)
 
 
 def _settled(theme: Theme) -> Theme:
@@ -305,7 +316,7 @@ def _settled(theme: Theme) -> Theme:
 
 
 def _held_postures(
-    distances: np.ndarray, alike: Likeness, max_distance: float, shortest: int
+    distances: Distances, alike: Likeness, max_distance: float, shortest: int
 ) -> list[list[tuple[float, float]]]:
     """Stretches in which the body keeps still, grouped by posture; groups of two or more."""
     edges = np.flatnonzero(np.diff(np.concatenate(([0], alike.still.astype(np.int8), [0])))).reshape(-1, 2)
@@ -315,7 +326,7 @@ def _held_postures(
         middle = (span[0] + span[1]) // 2
         for group in groups:
             other = int(group[0][0] + group[0][1]) // 2
-            if distances[middle, other] < max_distance:
+            if distances.along(np.array([(middle, other)]))[0] < max_distance:
                 group.append(span)
                 break
         else:
@@ -328,7 +339,7 @@ def _filled(pattern: Pattern) -> int:
 
 
 def _nearest_miss(
-    distances: np.ndarray, alike: Likeness, features: FeatureSequence, asked: dict[str, Any]
+    distances: Distances, alike: Likeness, features: FeatureSequence, asked: dict[str, Any]
 ) -> str:
     """Say what came nearest when nothing was found: search once more, twice as generously.
 
@@ -337,12 +348,10 @@ def _nearest_miss(
     if alike.still.all():
         return "The body keeps still all the time, and stillness does not count as a repeat."
     generous = 2 * asked["max_distance"]
-    alike = likeness(
-        distances, WORKING_RATE, max_distance=generous, min_amplitude=asked["min_amplitude"], share=1.0
-    )
+    alike = likeness(distances, max_distance=generous, min_amplitude=asked["min_amplitude"], share=1.0)
     near = trace_stripes(
-        distances, alike, WORKING_RATE, max_distance=generous, min_duration_s=asked["min_duration_s"]
-    )
+        distances, alike, max_distance=generous, min_duration_s=asked["min_duration_s"], horizon_s=MISS_S
+    ).stripes
     if not near:
         return ""
     best = max(

@@ -1,44 +1,30 @@
-"""Returns: movements that come back later, and which runs of cycles are the same movement.
+"""Returns: movements that come back later.
 
 Conventions
 -----------
-Moments of the working rate. A *theme* gathers the runs, and the single occurrences elsewhere, of one cyclic
-movement; a *return* is an acyclic movement with the stretches in which it occurs.
+Moments of the working rate. A *return* is an acyclic movement with the stretches in which it occurs. Every stretch of
+every stripe is a candidate; the one that explains most is taken, what it explains is taken from the others, and
+so on. Only candidates that this touches are judged anew, so that a long recording takes little longer per second.
 
 References
 ----------
-Paper P, section 2.5, last paragraph: cycles are grouped into one pattern; what is left is grouped by the similarity
-of the stretches and their durations.
+Paper P, section 2.5, last paragraph: what no cyclic pattern explains is grouped by the similarity of the stretches and
+their durations.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
-from itertools import product
+from dataclasses import dataclass
 
 import numpy as np
 
-from leitmotion.discovery.families import SAME_PERIOD, WHOLE, Run, is_near, overlap
-from leitmotion.discovery.stripes import Likeness, Stripe, part
+from leitmotion.discovery.families import overlap
+from leitmotion.discovery.stripes import Likeness, Stripe, measure, part
+from leitmotion.discovery.themes import HOLDS, Theme
+from leitmotion.similarity import Distances
 
-LINKED = 0.8  # of a period: how long a stripe between two runs must be to make them one movement
-COVERED = 0.4  # of the shorter run: how much of it such stripes must cover
 FREE = 0.3  # an acyclic stretch may overlap what is already explained by this share
-HOLDS = 0.7  # share of an occurrence that a stripe must cover to carry it to the other side
-
-
-@dataclass
-class Theme:
-    """The runs of one cyclic movement, and the stripes that show it."""
-
-    runs: list[Run]
-    stripes: list[Stripe] = field(default_factory=list)
-
-    @property
-    def period(self) -> float:
-        """Median length of its cycles, moments."""
-        return float(np.median(np.concatenate([np.diff(run.borders) for run in self.runs])))
 
 
 @dataclass
@@ -49,40 +35,10 @@ class Return:
     stripes: list[Stripe]
 
 
-def themes_of(runs: Sequence[Run], stripes: Sequence[Stripe]) -> list[Theme]:
-    """Join runs that stripes show to be the same movement, then add its single occurrences elsewhere.
-
-    Parameters
-    ----------
-    runs : sequence of Run
-        The cyclic runs.
-    stripes : sequence of Stripe
-        All stripes of the recording.
-
-    Returns
-    -------
-    list of Theme
-        Each with its runs in order of time.
-    """
-    far = [stripe for stripe in stripes if not is_near(stripe)]
-    group = list(range(len(runs)))
-    for i, j in _links(runs, far):
-        old, new = group[j], group[i]
-        group = [new if g == old else g for g in group]
-    themes = [
-        Theme([run for run, g in zip(runs, group, strict=True) if g == k]) for k in dict.fromkeys(group)
-    ]
-    for theme in themes:
-        _add_single_occurrences(theme, themes, far)
-        theme.runs.sort(key=lambda run: run.start)
-        theme.stripes = [s for s in stripes if _inside(s, theme).mean() >= HOLDS]
-    return themes
-
-
 def returns_of(
     themes: Sequence[Theme],
     stripes: Sequence[Stripe],
-    distances: np.ndarray,
+    distances: Distances,
     alike: Likeness,
     *,
     shortest: int,
@@ -96,8 +52,8 @@ def returns_of(
         What is already explained.
     stripes : sequence of Stripe
         All stripes of the recording.
-    distances : (N, N) float32
-        Posture distances.
+    distances : Distances
+        Posture distances of N moments.
     alike : Likeness
         What counts as alike.
     shortest : int
@@ -111,133 +67,110 @@ def returns_of(
         Each with at least two occurrences that do not overlap.
     """
     taken = np.zeros(len(distances), bool)
-    for theme in themes:
-        for run in theme.runs:
-            taken[int(run.start) : int(np.ceil(run.stop))] = True
-    left = _unexplained(stripes, taken, distances, alike, shortest, min_contrast)
+    _take(taken, [(run.start, run.stop) for theme in themes for run in theme.runs])
+
+    def rest_of(stripes: Sequence[Stripe]) -> list[Stripe | None]:
+        """What is left of stripes; None where that is too short or not clear."""
+        free = [~taken[stripe.path[:, 0]] & ~taken[stripe.path[:, 1]] for stripe in stripes]
+        cut = [k for k, kept in enumerate(free) if kept.mean() < 1 - FREE]
+        rests: list[Stripe | None] = list(stripes)
+        paths = [part(stripes[k], free[k]) for k in cut]
+        for k, rest in zip(cut, measure(paths, distances, alike), strict=True):
+            rests[k] = rest
+        return [
+            rest
+            if rest is not None
+            and min(rest.a[1] - rest.a[0], rest.b[1] - rest.b[0]) >= shortest
+            and rest.contrast >= min_contrast
+            and overlap(rest.a, rest.b) == 0
+            else None
+            for rest in rests
+        ]
+
+    left = _Left([rest for rest in rest_of(stripes) if rest is not None])
     found = []
-    while left:
-        best = max((_occurrences(span, left) for s in left for span in (s.a, s.b)), key=_explained)
+    while len(left.stripes):
+        best = left.best()
         if len(best.spans) < 2:
             break
         found.append(best)
-        for start, stop in best.spans:
-            taken[int(start) : int(np.ceil(stop))] = True
-        left = _unexplained(left, taken, distances, alike, shortest, min_contrast)
+        _take(taken, best.spans)
+        touched = left.touching(best.spans)
+        left.put(touched, rest_of([left.stripes[k] for k in touched]))
     return found
 
 
-def _links(runs: Sequence[Run], far: Sequence[Stripe]) -> list[tuple[int, int]]:
-    """Pairs of runs that stripes show to be one movement: a stripe of most of a period, and enough of them."""
-    shown: dict[tuple[int, int], list[np.ndarray]] = {}
-    for stripe in far:
-        first = [k for k, run in enumerate(runs) if overlap(stripe.a, (run.start, run.stop))]
-        second = [k for k, run in enumerate(runs) if overlap(stripe.b, (run.start, run.stop))]
-        for i, j in product(first, second):
-            if i < j:
-                inside = stripe.path[
-                    _between(stripe.path[:, 0], runs[i]) & _between(stripe.path[:, 1], runs[j])
-                ]
-                if len(inside):
-                    shown.setdefault((i, j), []).append(inside)
-    return [(i, j) for (i, j), paths in shown.items() if _linked(runs[i], runs[j], paths)]
+def _take(taken: np.ndarray, spans: Sequence[tuple[float, float]]) -> None:
+    for start, stop in spans:
+        taken[int(start) : int(np.ceil(stop))] = True
 
 
-def _linked(first: Run, second: Run, paths: Sequence[np.ndarray]) -> bool:
-    shorter, longer = sorted((first.period, second.period))
-    if longer > SAME_PERIOD * shorter:
-        return False
-    longest = max(int((path[-1] - path[0]).min()) + 1 for path in paths)
-    rows = _length_covered([(path[0, 0], path[-1, 0] + 1) for path in paths])
-    columns = _length_covered([(path[0, 1], path[-1, 1] + 1) for path in paths])
-    least = COVERED * min(first.stop - first.start, second.stop - second.start)
-    return longest >= LINKED * shorter and min(rows, columns) >= least
+class _Left:
+    """The stripes that are left, clearest first, and how much each of their stretches would explain."""
+
+    def __init__(self, stripes: Sequence[Stripe]) -> None:
+        self.stripes = np.array([None, *stripes], dtype=object)[1:]
+        self.spans = _spans(stripes)
+        self.scores = np.full((len(stripes), 2), np.nan)
+        self._sort()
+
+    def best(self) -> Return:
+        """The movement that explains most, with everywhere that it comes back."""
+        stripe, side = divmod(int(np.argmax(self.scores)), 2)
+        return self._occurrences(stripe, side)
+
+    def touching(self, spans: Sequence[tuple[float, float]]) -> np.ndarray:
+        """Which stripes reach into any of some stretches."""
+        reach = np.zeros(len(self.stripes), bool)
+        for start, stop in spans:
+            reach |= ((self.spans[..., 0] < stop + 1) & (self.spans[..., 1] > start - 1)).any(axis=1)
+        return np.flatnonzero(reach)
+
+    def put(self, which: np.ndarray, rests: Sequence[Stripe | None]) -> None:
+        """Put what is left of some stripes in their place, and judge anew whatever they bear on."""
+        changed = np.array([r is not s for r, s in zip(rests, self.stripes[which], strict=True)], bool)
+        which, rests = which[changed], [r for r, c in zip(rests, changed, strict=True) if c]
+        dirty = np.zeros(int(self.spans.max()) + 2, np.int64)
+        for start, stop in self.spans[which].reshape(-1, 2):
+            dirty[start:stop] = 1
+        reached = np.concatenate(([0], np.cumsum(dirty)))
+        self.scores[reached[self.spans[..., 1]] > reached[self.spans[..., 0]]] = np.nan
+        keep = np.ones(len(self.stripes), bool)
+        for k, rest in zip(which, rests, strict=True):
+            if rest is None:
+                keep[k] = False
+            else:
+                self.stripes[k] = rest
+                self.spans[k] = rest.a, rest.b
+                self.scores[k] = np.nan
+        self.stripes, self.spans, self.scores = self.stripes[keep], self.spans[keep], self.scores[keep]
+        self._sort()
+
+    def _sort(self) -> None:
+        order = np.argsort([-stripe.gain for stripe in self.stripes], kind="stable")
+        self.stripes, self.spans, self.scores = self.stripes[order], self.spans[order], self.scores[order]
+        for stripe, side in np.argwhere(np.isnan(self.scores)):
+            self.scores[stripe, side] = _explained(self._occurrences(stripe, side))
+
+    def _occurrences(self, stripe: int, side: int) -> Return:
+        """Everywhere that the movement of one stretch comes back, along the stripes that hold most of it."""
+        first, last = self.spans[stripe, side].tolist()
+        spans: list[tuple[float, float]] = [(first, last)]
+        shown = []
+        starts, stops = np.maximum(self.spans[..., 0], first), np.minimum(self.spans[..., 1], last)
+        for k, here in np.argwhere(stops - starts >= HOLDS * (last - first)).tolist():
+            other = self.stripes[k]
+            carry = (other.forward, other.backward)[here]
+            span = (carry(int(starts[k, here])), carry(int(stops[k, here]) - 1) + 1)
+            if all(overlap(span, known) == 0 for known in spans):
+                spans.append(span)
+                shown.append(other)
+        return Return(sorted(spans), shown)
 
 
-def _between(moments: np.ndarray, run: Run) -> np.ndarray:
-    return (moments >= run.start) & (moments < run.stop)
-
-
-def _length_covered(spans: Sequence[tuple[int, int]]) -> int:
-    """Length of the union of stretches."""
-    total, reached = 0, -1
-    for start, stop in sorted(spans):
-        total += max(0, stop - max(start, reached))
-        reached = max(reached, stop)
-    return int(total)
-
-
-def _add_single_occurrences(theme: Theme, themes: Sequence[Theme], far: Sequence[Stripe]) -> None:
-    """A cycle of the theme may come back alone: carry whole cycles along a stripe to where no run is yet."""
-    for run in list(theme.runs):
-        for stripe in sorted(far, key=lambda s: -s.gain):
-            for here, carry in (
-                (stripe.a, stripe.forward),
-                (stripe.b, stripe.backward),
-            ):
-                start, stop = max(run.start, here[0]), min(run.stop, here[1] - 1)
-                if stop - start < LINKED * run.period:
-                    continue
-                span = (carry(start), carry(stop))
-                everywhere = [r for t in themes for r in t.runs]
-                if any(overlap(span, (r.start, r.stop)) > FREE * (span[1] - span[0]) for r in everywhere):
-                    continue
-                if not 1 / SAME_PERIOD <= (span[1] - span[0]) / (stop - start) <= SAME_PERIOD:
-                    continue
-                inside = [b for b in run.borders if start <= b <= stop]
-                if len(inside) >= 2:
-                    borders = [carry(b) for b in inside]
-                elif stop - start >= WHOLE * run.period:
-                    borders = [span[0], min(span[1], span[0] + run.period)]
-                else:
-                    continue
-                lone = Run(span[0], span[1], float(np.median(np.diff(borders))), [stripe], [stripe], borders)
-                theme.runs.append(lone)
-
-
-def _inside(stripe: Stripe, theme: Theme) -> np.ndarray:
-    """Which moments of a stripe join two moments of the theme's runs, (K,) bool."""
-    i, j = stripe.path[:, 0], stripe.path[:, 1]
-    first, second = np.zeros(len(i), bool), np.zeros(len(i), bool)
-    for run in theme.runs:
-        first |= _between(i, run)
-        second |= _between(j, run)
-    return first & second
-
-
-def _unexplained(
-    stripes: Sequence[Stripe],
-    taken: np.ndarray,
-    distances: np.ndarray,
-    alike: Likeness,
-    shortest: int,
-    min_contrast: float,
-) -> list[Stripe]:
-    left = []
-    for stripe in stripes:
-        free = ~taken[stripe.path[:, 0]] & ~taken[stripe.path[:, 1]]
-        rest = stripe if free.mean() >= 1 - FREE else part(stripe, free, distances, alike)
-        if rest is None or min(rest.a[1] - rest.a[0], rest.b[1] - rest.b[0]) < shortest:
-            continue
-        if rest.contrast >= min_contrast and overlap(rest.a, rest.b) == 0:
-            left.append(rest)
-    return sorted(left, key=lambda s: -s.gain)
-
-
-def _occurrences(span: tuple[int, int], stripes: Sequence[Stripe]) -> Return:
-    """Everywhere that the movement of one stretch comes back, along the stripes that hold most of it."""
-    spans: list[tuple[float, float]] = [span]
-    shown = []
-    for stripe in stripes:
-        for here, carry in ((stripe.a, stripe.forward), (stripe.b, stripe.backward)):
-            start, stop = max(span[0], here[0]), min(span[1], here[1])
-            if stop - start < HOLDS * (span[1] - span[0]):
-                continue
-            other = (carry(start), carry(stop - 1) + 1)
-            if all(overlap(other, known) == 0 for known in spans):
-                spans.append(other)
-                shown.append(stripe)
-    return Return(sorted(spans), shown)
+def _spans(stripes: Sequence[Stripe]) -> np.ndarray:
+    """Both stretches of each stripe, (S, 2, 2)."""
+    return np.array([(stripe.a, stripe.b) for stripe in stripes], np.int64).reshape(-1, 2, 2)
 
 
 def _explained(found: Return) -> float:

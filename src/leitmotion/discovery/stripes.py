@@ -15,11 +15,15 @@ itself, which needs no window.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import NamedTuple
 
 import numpy as np
+
+from leitmotion.discovery.labour import share_work
+from leitmotion.similarity import Distances
 
 CORRIDOR_S = 0.13  # paths nearer to one another than this are one stripe
 REACH_S = 1.0  # how far around a moment its amplitude is read
@@ -84,8 +88,7 @@ class Stripe:
 
 
 def likeness(
-    distances: np.ndarray,
-    rate: float,
+    distances: Distances,
     *,
     max_distance: float,
     min_amplitude: float,
@@ -98,10 +101,8 @@ def likeness(
 
     Parameters
     ----------
-    distances : (N, N) float32
-        Posture distances, body sizes.
-    rate : float
-        Moments per second.
+    distances : Distances
+        Posture distances of N moments, body sizes.
     max_distance, min_amplitude : float
         Body sizes.
     share : float
@@ -112,92 +113,101 @@ def likeness(
     Likeness
         Threshold, stillness, speed and movement of each moment.
     """
-    from leitmotion.discovery._kernels import amplitudes
-
-    amplitude = amplitudes(distances, round(REACH_S * rate))
+    rate = distances.features.rate
+    band = distances.band(round(REACH_S * rate)).values
+    amplitude = _amplitudes(band)
     threshold = np.minimum(max_distance, share * amplitude).astype(np.float32)
-    speed = _speed(distances, rate)
+    speed = _speed(band, rate)
     return Likeness(
         np.maximum(threshold, np.float32(1e-6)), amplitude < min_amplitude, speed, _moving(speed, rate)
     )
 
 
-def trace_stripes(
-    distances: np.ndarray, alike: Likeness, rate: float, *, max_distance: float, min_duration_s: float
-) -> list[Stripe]:
-    """Trace all stripes of a self-distance matrix, the longest and nearest first.
+def measure(paths: Sequence[np.ndarray], distances: Distances, alike: Likeness) -> list[Stripe | None]:
+    """Trim paths to where they are alike at both ends, and measure them.
 
     Parameters
     ----------
-    distances : (N, N) float32
-        Posture distances, body sizes; NaN where nothing was seen.
-    alike : Likeness
-        What counts as alike.
-    rate : float
-        Moments per second.
-    max_distance : float
-        Body sizes.
-    min_duration_s : float
-        Shortest stretch, seconds.
-
-    Returns
-    -------
-    list of Stripe
-        Both stretches of each are at least `min_duration_s` long.
-    """
-    from leitmotion.discovery._kernels import align_locally, walk_back
-
-    shortest = max(2, round(min_duration_s * rate))
-    step_into, rows, columns, gains = align_locally(
-        distances, alike.threshold, alike.still,
-        np.float32(0.5 * max_distance), np.float32(-0.1), np.float32(GAP_S * rate), np.float32(0.2 * shortest),
-    )  # fmt: skip
-    best_first = np.argsort(-gains, kind="stable")
-    corridor = max(1, round(CORRIDOR_S * rate))
-    points, offsets = walk_back(step_into, rows[best_first], columns[best_first], corridor, shortest)
-    stripes = []
-    for path in np.split(points, offsets[1:-1]):
-        stripe = measure(path, distances, alike) if len(path) else None
-        if stripe is not None and min(stripe.a[1] - stripe.a[0], stripe.b[1] - stripe.b[0]) >= shortest:
-            stripes.append(stripe)
-    return stripes
-
-
-def measure(path: np.ndarray, distances: np.ndarray, alike: Likeness) -> Stripe | None:
-    """Trim a path to where it is alike at both ends, and measure it.
-
-    Parameters
-    ----------
-    path : (K, 2) int
+    paths : sequence of (K, 2) int
         Moments.
-    distances : (N, N) float32
+    distances : Distances
         Posture distances.
     alike : Likeness
         What counts as alike.
 
     Returns
     -------
-    Stripe or None
-        None when nothing on the path is alike and in motion.
+    list of Stripe or None
+        One for each path; None when nothing on it is alike and in motion.
     """
-    i, j = path[:, 0], path[:, 1]
-    d = distances[i, j].astype(np.float64)
-    gain = 1.0 - d / np.minimum(alike.threshold[i], alike.threshold[j])
-    gain[alike.still[i] | alike.still[j]] = -0.1
-    good = np.flatnonzero((gain > 0) & alike.moving[i] & alike.moving[j])
-    if good.size == 0:
-        return None
-    keep = slice(good[0], good[-1] + 1)
-    path, d, gain = path[keep], d[keep], gain[keep]
-    every = max(1, len(path) // SAMPLED)
-    block = distances[path[0, 0] : path[-1, 0] + 1 : every, path[0, 1] : path[-1, 1] + 1 : every]
-    return Stripe(path, float(np.nanmean(d)), float(np.nanmedian(block)), float(np.nansum(gain)))
+    if not paths:
+        return []
+    lengths = [len(path) for path in paths]
+    return measure_all(
+        np.concatenate(paths).astype(np.int32, copy=False), np.array(lengths), distances, alike
+    )
 
 
-def _speed(distances: np.ndarray, rate: float) -> np.ndarray:
+def measure_all(
+    points: np.ndarray, lengths: np.ndarray, distances: Distances, alike: Likeness
+) -> list[Stripe | None]:
+    """Do the same for paths that stand one after another.
+
+    Parameters
+    ----------
+    points : (M, 2) int32
+        The paths' moments.
+    lengths : (S,) int
+        How many points each path has.
+    distances, alike
+        As for :func:`measure`.
+
+    Returns
+    -------
+    list of Stripe or None
+        S of them.
+    """
+    from leitmotion.discovery._kernels import measure_paths
+
+    offsets = np.concatenate(([0], np.cumsum(lengths)))
+    kept = np.zeros((len(lengths), 2), np.int64)
+    cost, background, gain = (np.zeros(len(lengths)) for _ in range(3))
+
+    def fill(part: slice) -> None:
+        ends = slice(part.start, part.stop + 1)
+        measure_paths(
+            distances.across, distances.width, alike.threshold, alike.still, alike.moving,
+            points, offsets[ends], SAMPLED, kept[part], cost[part], background[part], gain[part],
+        )  # fmt: skip
+
+    share_work(fill, len(lengths), 256)
+    return [
+        Stripe(points[o + a : o + b], c, d, g) if b > a else None
+        for o, (a, b), c, d, g in zip(
+            offsets[:-1].tolist(),
+            kept.tolist(),
+            cost.tolist(),
+            background.tolist(),
+            gain.tolist(),
+            strict=True,
+        )
+    ]
+
+
+def _amplitudes(band: np.ndarray) -> np.ndarray:
+    """Distance of the farthest posture within reach of each moment, (N,)."""
+    amplitude = np.zeros(len(band), np.float32)
+    for k in range(1, min(band.shape[1], len(band))):
+        apart = band[: len(band) - k, k]
+        np.fmax(amplitude[: len(band) - k], apart, out=amplitude[: len(band) - k])
+        np.fmax(amplitude[k:], apart, out=amplitude[k:])
+    return amplitude
+
+
+def _speed(band: np.ndarray, rate: float) -> np.ndarray:
     from scipy.ndimage import uniform_filter1d
 
-    step = np.nan_to_num(np.diagonal(distances, 1))
+    step = np.nan_to_num(band[:-1, 1])
     return np.asarray(uniform_filter1d(np.concatenate((step[:1], step)), max(1, round(0.1 * rate))))
 
 
@@ -207,8 +217,8 @@ def _moving(speed: np.ndarray, rate: float) -> np.ndarray:
     return np.asarray(speed > REST_SHARE * maximum_filter1d(speed, 2 * round(REACH_S * rate) + 1))
 
 
-def part(stripe: Stripe, keep: np.ndarray, distances: np.ndarray, alike: Likeness) -> Stripe | None:
-    """Measure the part of a stripe that lies in the longest run of `keep`.
+def part(stripe: Stripe, keep: np.ndarray) -> np.ndarray:
+    """Cut the longest run of `keep` out of a stripe, to be measured anew.
 
     Parameters
     ----------
@@ -216,21 +226,15 @@ def part(stripe: Stripe, keep: np.ndarray, distances: np.ndarray, alike: Likenes
         The whole.
     keep : (K,) bool
         Which of its moments.
-    distances : (N, N) float32
-        Posture distances.
-    alike : Likeness
-        What counts as alike.
 
     Returns
     -------
-    Stripe or None
-        None when nothing is left.
+    (L, 2) int
+        That part of its path; empty where nothing is kept.
     """
     edges = np.flatnonzero(np.diff(np.concatenate(([0], keep.astype(np.int8), [0]))))
     if edges.size == 0:
-        return None
+        return stripe.path[:0]
     runs = edges.reshape(-1, 2)
     start, stop = runs[np.argmax(runs[:, 1] - runs[:, 0])]
-    if stop - start == len(keep):
-        return stripe
-    return measure(stripe.path[start:stop], distances, alike)
+    return stripe.path[start:stop]

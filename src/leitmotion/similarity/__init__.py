@@ -4,5 +4,6 @@ from leitmotion.similarity.alignment import Alignment
 from leitmotion.similarity.distance import cross_distance, self_distance
 from leitmotion.similarity.dtw import align
 from leitmotion.similarity.matrix import SimilarityMatrix
+from leitmotion.similarity.on_demand import Distances
 
-__all__ = ["Alignment", "SimilarityMatrix", "align", "cross_distance", "self_distance"]
+__all__ = ["Alignment", "Distances", "SimilarityMatrix", "align", "cross_distance", "self_distance"]

@@ -56,6 +56,68 @@ def cross_distance(a, b, width, kind, C):
                     C[i0 + i, j0 + j] = tile[i, j]
 
 
+@njit(cache=True, nogil=True)
+def distances_to(a, i, first, stop, every, width, C):
+    """Fill C with the distances of moment i to every n-th moment of [first, stop), bit for bit as in a tile."""
+    M = a.shape[0] // width
+    columns = (stop - first + every - 1) // every
+    if every == 1 and width == 3:
+        _points_to(a, i, first, columns, M, C)
+        return
+    for j in range(columns):
+        C[j] = _distance(a, i, first + j * every, width, M)
+
+
+@njit(cache=True, nogil=True, inline="always")
+def _points_to(a, i, first, columns, M, C):
+    seen = np.float32(M)
+    for j in range(columns):
+        C[j] = _ZERO
+    for m in range(M):
+        x, y, z = a[3 * m, i], a[3 * m + 1, i], a[3 * m + 2, i]
+        xs, ys, zs = a[3 * m, first:], a[3 * m + 1, first:], a[3 * m + 2, first:]
+        for j in range(columns):
+            dx, dy, dz = xs[j] - x, ys[j] - y, zs[j] - z
+            C[j] += math.sqrt(dx * dx + dy * dy + dz * dz)
+    for j in range(columns):
+        C[j] /= seen
+    for j in range(columns):
+        if C[j] != C[j]:  # something was not seen
+            C[j] = _distance(a, i, first + j, 3, M)
+
+
+@njit(cache=True, nogil=True)
+def _distance(a, i, j, width, M):
+    total, seen = _ZERO, _ZERO
+    for m in range(M):
+        square = _ZERO
+        for k in range(m * width, (m + 1) * width):
+            dx = a[k, j] - a[k, i]
+            square += dx * dx
+        if square == square:
+            total += math.sqrt(square)
+            seen += _ONE
+    return total / seen if seen > _ZERO else np.float32(np.nan)
+
+
+@njit(cache=True, nogil=True)
+def band(a, width, C):
+    """Fill C (N, W): C[i, k] is the distance of moment i to moment i + k, NaN past the end."""
+    n = a.shape[1]
+    for i in range(n):
+        stop = min(n, i + C.shape[1])
+        distances_to(a, i, i, stop, 1, width, C[i])
+        C[i, stop - i :] = np.nan
+
+
+@njit(cache=True, nogil=True)
+def along(a, i, j, width, C):
+    """Fill C (K,) with the distances of moments i (K,) to moments j (K,)."""
+    M = a.shape[0] // width
+    for k in range(i.size):
+        C[k] = _distance(a, i[k], j[k], width, M)
+
+
 @njit(cache=True)
 def _fill(a, b, width, kind, tile):
     if kind == POINTS:

@@ -7,7 +7,7 @@ import numpy as np
 from leitmotion.motion.errors import ParameterError
 from leitmotion.motion.noun import Noun, noun, set_array
 
-KINDS = ("dense",)
+KINDS = ("dense", "banded")
 
 
 @noun
@@ -17,7 +17,8 @@ class SimilarityMatrix(Noun):
     Parameters
     ----------
     values : (N, M) float32
-        Distance of row moment to column moment, 0 = same.
+        Distance of row moment to column moment, 0 = same. Of a banded one ``values[i, k]`` is the distance of
+        moment i to moment i + k, NaN past the end.
     metric : str
         "mean_norm" (paper P, eq. 2: the mean over joints of the norms) or another named metric.
     row_rate, column_rate : float
@@ -26,8 +27,8 @@ class SimilarityMatrix(Noun):
         What a distance of 1 is in `unit`.
     unit : {"m", "px", "relative", "m/s", "px/s", "relative/s", "rad"}
         That of the features compared: of places, of velocities, of rotations.
-    kind : {"dense"}
-        How the values are stored.
+    kind : {"dense", "banded"}
+        How the values are stored: all of them, or those next to the diagonal of one recording with itself.
 
     Raises
     ------

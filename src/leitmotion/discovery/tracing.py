@@ -1,0 +1,185 @@
+"""Tracing: all stripes of a recording, of any length, without ever holding its posture matrix.
+
+Conventions
+-----------
+Moments of the working rate. A cell (i, j) of the matrix is *live* when an alignment runs through it; a few in a hundred
+are, and for these alone the step by which it came is kept, a byte each.
+
+References
+----------
+The alignment is T. F. Smith's and M. S. Waterman's, J. Mol. Biol. 147, 1981. Where it may begin is told by the triangle
+inequality, which the mean of norms (paper P, eq. 2) obeys.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from leitmotion.discovery.labour import ahead
+from leitmotion.discovery.stripes import CORRIDOR_S, GAP_S, Likeness, Stripe, measure_all
+from leitmotion.similarity import Distances
+
+BLOCK = 3  # moments whose distances are bounded at once
+CHUNK = 192  # rows aligned in one call: a multiple of BLOCK
+REST_S = 60.0  # how long a rest may be whose end is still the same moment as its beginning
+LIVE = 1_200_000_000  # cells, a byte each
+POINTS = 30_000_000  # of all paths together
+NEAR_S = 60.0  # paths nearer to the diagonal are followed first
+STILL_GAIN = -0.1
+
+
+class Traced(NamedTuple):
+    """What a recording's alignment with itself shows."""
+
+    stripes: list[Stripe]
+    limits: dict[str, object]
+    """What bounded the search, empty where nothing did: ``compared_within_s``, stretches farther apart were not
+    compared; ``paths_left_out``, how many ends of paths were not followed, the least clear ones."""
+
+
+class Live(NamedTuple):
+    """The live cells of the matrix, by row."""
+
+    steps: np.ndarray  # (L,) uint8: how a path came into each
+    row_offsets: np.ndarray  # (N + 1,) where a row's segments begin
+    starts: np.ndarray  # (G,) first column of each segment
+    places: np.ndarray  # (G + 1,) where its steps begin
+    rows: np.ndarray  # (E,) ends of paths
+    columns: np.ndarray
+    gains: np.ndarray
+
+
+def trace_stripes(
+    distances: Distances,
+    alike: Likeness,
+    *,
+    max_distance: float,
+    min_duration_s: float,
+    horizon_s: float = np.inf,
+) -> Traced:
+    """Trace all stripes of a recording, the longest and nearest first.
+
+    Parameters
+    ----------
+    distances : Distances
+        Posture distances of N moments, body sizes; NaN where nothing was seen.
+    alike : Likeness
+        What counts as alike.
+    max_distance : float
+        Body sizes.
+    min_duration_s : float
+        Shortest stretch, seconds.
+    horizon_s : float
+        How far apart two stretches may be, seconds.
+
+    Returns
+    -------
+    Traced
+        Both stretches of each stripe are at least `min_duration_s` long. Where more is alike than fits in memory, the
+        horizon is nearer than asked for.
+    """
+    rate = distances.features.rate
+    shortest = max(2, round(min_duration_s * rate))
+    horizon = int(min(len(distances), horizon_s * rate))
+    while True:
+        live, reached = _align(distances, alike, max_distance, shortest, horizon)
+        if live is not None:
+            break
+        horizon = _nearer(horizon, reached, len(distances))
+    points, lengths, left_out = _follow(live, rate, shortest)
+    del live
+    stripes = [
+        stripe
+        for stripe in measure_all(points, lengths, distances, alike)
+        if stripe is not None and min(stripe.a[1] - stripe.a[0], stripe.b[1] - stripe.b[0]) >= shortest
+    ]
+    limits: dict[str, object] = {}
+    if horizon < min(len(distances), horizon_s * rate):
+        limits["compared_within_s"] = round(horizon / rate, 1)
+    if left_out:
+        limits["paths_left_out"] = left_out
+    return Traced(stripes, limits)
+
+
+def _align(
+    distances: Distances, alike: Likeness, max_distance: float, shortest: int, horizon: int
+) -> tuple[Live | None, int]:
+    """Align row by row; None where the live cells do not fit, and how many rows were done."""
+    from leitmotion.discovery import _kernels
+
+    a, width, N = distances.across, distances.width, len(distances)
+    rate = distances.features.rate
+    theta = np.where(alike.still, np.float32(-1), alike.threshold)
+    bounds = _kernels.block_bounds(a, width, theta, BLOCK)
+    first = _kernels.first_apart(a, width, alike.threshold, round(REST_S * rate))
+    blocks = len(bounds[1])
+    per_chunk = CHUNK // BLOCK
+
+    def candidates(c0: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        centres, radius, most = bounds
+        found: tuple[np.ndarray, np.ndarray, np.ndarray] = _kernels.candidates(
+            centres, radius, most, width, BLOCK, c0, min(blocks, c0 + per_chunk), horizon // BLOCK + 2
+        )
+        return found
+
+    state = (
+        np.zeros((3, N + 3), np.float32), np.zeros((3, N + 3), np.float32), np.zeros((3, N), np.bool_),
+        np.zeros((3, N), np.int32), np.zeros((3, N), np.int32), np.zeros(3, np.int64),
+    )  # fmt: skip
+    steps = np.empty(min(LIVE, N * min(N, horizon)), np.uint8)  # memory is taken as it is written to
+    used, segments = 0, 0
+    offsets, found = [np.zeros(1, np.int64)], []
+    for c0, intervals in zip(
+        range(0, blocks, per_chunk), ahead(candidates, range(0, blocks, per_chunk)), strict=True
+    ):
+        i0 = c0 * BLOCK
+        i1 = i0 + CHUNK if i0 + CHUNK < N else N + 3
+        used, row_offsets, *rest = _kernels.align_rows(
+            a, width, alike.threshold, alike.still, first,
+            np.float32(0.5 * max_distance), np.float32(STILL_GAIN), np.float32(GAP_S * rate),
+            np.float32(0.2 * shortest), horizon, i0, i1, BLOCK, *intervals, *state, steps, used,
+        )  # fmt: skip
+        if used < 0:
+            return None, -1 - used
+        offsets.append(row_offsets[1 : min(N, i1) - i0 + 1] + segments)
+        segments += len(rest[0])
+        found.append(rest)
+    starts, places, rows, columns, gains = (np.concatenate(parts) for parts in zip(*found, strict=True))
+    live = Live(steps, np.concatenate(offsets), starts, np.append(places, used), rows, columns, gains)
+    return live, N
+
+
+def _nearer(horizon: int, reached: int, moments: int) -> int:
+    """Horizon at which the live cells should fit, as it was `reached` rows that filled the room."""
+    wanted = 0.8 * sum(min(horizon, moments - i) for i in range(reached))
+    low, high = 1, horizon
+    while low < high:
+        middle = (low + high + 1) // 2
+        area = middle * moments - middle * middle / 2
+        low, high = (middle, high) if area <= wanted else (low, middle - 1)
+    return max(1, min(low, int(0.8 * horizon)))
+
+
+def _follow(live: Live, rate: float, shortest: int) -> tuple[np.ndarray, np.ndarray, int]:
+    """Follow paths back from their ends, near ones first and then by their gain: points, lengths, ends left out."""
+    from leitmotion.discovery._kernels import walk_back
+
+    far = live.columns - live.rows > NEAR_S * rate
+    order = np.lexsort((-live.gains, far))
+    rows, columns = live.rows[order], live.columns[order]
+    corridor = max(1, round(CORRIDOR_S * rate))
+    path = np.empty((2 * len(live.row_offsets), 2), np.int64)
+    points, lengths = [np.zeros((0, 2), np.int32)], [np.zeros(0, np.int64)]
+    total, k = 0, 0
+    while k < len(rows) and total < POINTS:
+        more = min(len(rows), k + 4096)
+        piece, counts = walk_back(
+            live.steps, live.row_offsets, live.starts, live.places, rows, columns,
+            corridor, shortest, k, more, path,
+        )  # fmt: skip
+        points.append(piece)
+        lengths.append(counts)
+        total, k = total + len(piece), more
+    return np.concatenate(points), np.concatenate(lengths), len(rows) - k
