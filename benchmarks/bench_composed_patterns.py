@@ -1,7 +1,7 @@
 """Patterns, by default: known movements, real recordings, time and memory.
 
-The composed sessions have an exact truth but are made by this project; the full evaluation on labelled recordings of
-people is another table. Cheap answers stand beside ours.
+The composed sessions have an exact truth but are made by this project; how good the answer is on recordings of people
+is told by bench_patterns. Cheap answers stand beside ours.
 """
 
 from __future__ import annotations
@@ -15,6 +15,7 @@ from pathlib import Path
 
 import numpy as np
 
+from bootstrap import of_mean
 from leitmotion import body, datasets, discovery, features, io
 
 Row = tuple[str, str, str]
@@ -86,7 +87,7 @@ def composed() -> list[Row]:
                 if len(here) == len(true_here):
                     lengths += list(np.abs(true_lengths - np.diff(here, axis=1)[:, 0] / postures.rate))
     how = f"practice sessions of seeds {SEEDS[0]} to {SEEDS[-1]}, none of them looked at while the method was made"
-    low, high = interval(np.array(lengths))
+    low, high = of_mean(lengths)
     wrong, of = np.count_nonzero(count_errors), len(count_errors)
     plain = np.count_nonzero(count_plain)
     return [
@@ -134,13 +135,6 @@ def plain_count(values: np.ndarray) -> int:
     lags = np.array([(x[: len(x) - k] * x[k:]).sum() / (x * x).sum() for k in range(len(x) // 2 + 1)])
     peaks = [k for k in range(1, len(lags) - 1) if lags[k - 1] < lags[k] >= lags[k + 1] and k > 36]
     return round(len(x) / peaks[0]) if peaks else 1
-
-
-def interval(values: np.ndarray) -> tuple[float, float]:
-    """Bootstrap the mean, 95 %."""
-    rng = np.random.default_rng(0)
-    means = [rng.choice(values, values.size).mean() for _ in range(2000)]
-    return float(np.quantile(means, 0.025)), float(np.quantile(means, 0.975))
 
 
 def recording(path: Path, truth: str) -> Row:

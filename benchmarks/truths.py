@@ -43,9 +43,9 @@ def annotated(recording: str) -> PatternTruth:
     return _truth(_runs("runs.csv")[recording], 120, unlabelled)
 
 
-def counted(rate_of: dict[str, float]) -> dict[str, PatternTruth]:
-    """Tell the counted runs of the recordings whose rates are given, by recording."""
-    return {name: _truth(_runs("counted_runs.csv")[name], rate) for name, rate in rate_of.items()}
+def counted(recording: str, rate: float) -> PatternTruth:
+    """Tell the counted runs of a recording at its own rate."""
+    return _truth(_runs("counted_runs.csv")[recording], rate)
 
 
 def counted_recordings() -> tuple[str, ...]:
