@@ -5,10 +5,11 @@ from itertools import pairwise
 import numpy as np
 import pytest
 
+from leitmotion.discovery.cuts import cutter
 from leitmotion.discovery.families import cyclic_runs, overlap
 from leitmotion.discovery.stripes import Stripe
 
-EVEN = np.ones(400)
+EVEN = cutter("stripes", np.ones(400), np.zeros((400, 3)))
 
 
 def stripe(start, stop, lag, gain=50.0, contrast=0.8):
@@ -52,6 +53,6 @@ def test_far_stripes_make_no_run():
 def test_the_last_cycle_counts_without_the_rest_that_follows_the_others():
     speed = np.ones(400)
     speed[[*range(40, 60), *range(100, 120)]] = 0.01
-    (run,) = cyclic_runs([stripe(0, 100, 60)], speed)
+    (run,) = cyclic_runs([stripe(0, 100, 60)], cutter("stripes", speed, np.zeros((400, 3))))
     assert run.cycles == 3
     assert run.borders[-1] == 160

@@ -7,7 +7,7 @@ from hypothesis import strategies as st
 
 from leitmotion import body, features, io
 from leitmotion.discovery import _tang_kernels as kernels
-from leitmotion.discovery import tang2008
+from leitmotion.discovery import autocorrelation, tang2008
 from leitmotion.discovery.tang2008 import Trace, find_patterns_tang2008
 from leitmotion.features import FeatureSequence
 from leitmotion.motion import ParameterError
@@ -125,10 +125,10 @@ def test_autocorrelation_is_equation_5(rng):
     for lag in range(50):
         centred = x - x.mean(axis=0)
         r.append(np.mean((centred[: 50 - lag] * centred[lag:]).sum(axis=0) / (centred**2).sum(axis=0)))
-    np.testing.assert_allclose(tang2008._autocorrelation(x), r, atol=1e-12)
+    np.testing.assert_allclose(autocorrelation._autocorrelation(x), r, atol=1e-12)
     still_and_unseen = np.column_stack([x, np.ones(50), np.r_[np.nan, x[1:, 0]]])
-    np.testing.assert_allclose(tang2008._autocorrelation(still_and_unseen), r, atol=1e-12)
-    assert not tang2008._autocorrelation(np.ones((50, 2))).any()
+    np.testing.assert_allclose(autocorrelation._autocorrelation(still_and_unseen), r, atol=1e-12)
+    assert not autocorrelation._autocorrelation(np.ones((50, 2))).any()
 
 
 @pytest.mark.parametrize("turns", [2, 3, 8])

@@ -8,15 +8,13 @@ References
 ----------
 Paper P, section 2.4: the stripes of one cyclic movement begin and end together (eq. 3), one per multiple of its period.
 Two cycles give one stripe whose stretches touch; that is cyclic too, where the paper's rule (more than one stripe)
-calls it acyclic. Section 2.5 cuts cycles at the peaks of an autocorrelation; here each border is carried to the next
-along the stripe of one period, so that tempo may change.
+calls it acyclic. How a run is cut into cycles stands in :mod:`leitmotion.discovery.cuts`.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
-from itertools import pairwise
 
 import numpy as np
 
@@ -26,7 +24,6 @@ TOUCH = 0.25  # a pause of a quarter of the lag still joins two cycles
 ALIGNED = 0.6  # stripes whose joint extents overlap by this much (of their union) begin and end together
 MULTIPLE = 0.6  # a longer period is a multiple where shorter ones fill this much of it
 SAME_PERIOD = 1.5  # ratio of periods within which two runs may be one movement
-WHOLE = 0.75  # share of a cycle's movement that counts as one at the end of a stretch
 
 
 @dataclass(eq=False)
@@ -51,15 +48,15 @@ def is_near(stripe: Stripe) -> bool:
     return stripe.b[0] - stripe.a[1] <= TOUCH * stripe.lag
 
 
-def cyclic_runs(stripes: Sequence[Stripe], speed: np.ndarray) -> list[Run]:
+def cyclic_runs(stripes: Sequence[Stripe], cut: Callable[[Run], list[float]]) -> list[Run]:
     """Group near stripes into runs and cut each into cycles.
 
     Parameters
     ----------
     stripes : sequence of Stripe
         Those to be explained; only near ones are.
-    speed : (N,) float
-        How fast the posture changes at each moment; see :class:`leitmotion.discovery.stripes.Likeness`.
+    cut : callable
+        Gives the borders of a run's cycles; see :mod:`leitmotion.discovery.cuts`.
 
     Returns
     -------
@@ -69,7 +66,7 @@ def cyclic_runs(stripes: Sequence[Stripe], speed: np.ndarray) -> list[Run]:
     runs = [_run_of(group) for group in _aligned(sorted(filter(is_near, stripes), key=lambda s: s.lag))]
     runs = _joined(_without_multiples(runs))
     for run in runs:
-        run.borders = _cut(run, speed)
+        run.borders = cut(run)
     runs = [run for run in runs if run.cycles >= 2]
     return sorted(_apart(runs), key=lambda run: run.start)
 
@@ -172,35 +169,6 @@ def _joined(runs: list[Run]) -> list[Run]:
         else:
             joined.append(run)
     return joined
-
-
-def _cut(run: Run, speed: np.ndarray) -> list[float]:
-    """Carry the first border from cycle to cycle along the stripes of one period.
-
-    The last cycle is whole when it goes as far as the others do: no rest need follow it.
-    """
-    borders = [float(run.start)]
-    while True:
-        t = borders[-1]
-        over = [s for s in run.stripes if s.a[0] <= t <= s.a[1] - 1]
-        if over:
-            step = max(over, key=lambda s: s.gain).forward(t) - t
-        elif t + run.period <= run.stop:
-            step = run.period
-        else:
-            break
-        if t + step > run.stop or step < 1:
-            break
-        borders.append(t + step)
-    whole = [_travelled(start, stop, speed) for start, stop in pairwise(borders)]
-    if whole and _travelled(borders[-1], run.stop, speed) >= WHOLE * float(np.median(whole)):
-        borders.append(float(run.stop))
-    return borders
-
-
-def _travelled(start: float, stop: float, speed: np.ndarray) -> float:
-    """How far the posture goes in a stretch of time: what a rest adds to hardly at all."""
-    return float(speed[int(start) : int(np.ceil(stop))].sum())
 
 
 def _apart(runs: list[Run]) -> list[Run]:

@@ -18,8 +18,10 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from leitmotion.discovery.cuts import CUTS, cutter
 from leitmotion.discovery.families import Run, cyclic_runs
 from leitmotion.discovery.pattern import Pattern, PatternPair, Patterns, cut_at_occurrences, letter
+from leitmotion.discovery.refine import Refiner
 from leitmotion.discovery.returns import Return, returns_of
 from leitmotion.discovery.stripes import Likeness, Stripe, likeness, measure, part
 from leitmotion.discovery.themes import Theme, themes_of
@@ -48,6 +50,7 @@ def find_recurrences(
     min_amplitude: float = MIN_AMPLITUDE,
     min_contrast: float = MIN_CONTRAST,
     stillness: bool = False,
+    cuts: str = "stripes",
 ) -> Patterns:
     """Find what recurs, without a parameter to set.
 
@@ -65,6 +68,9 @@ def find_recurrences(
         How much nearer than its surroundings a return must be, 0 to 1.
     stillness : bool
         Whether a posture that is held again counts as a pattern.
+    cuts : {"stripes", "members", "autocorrelation"}
+        What cuts a run into cycles: the stripe of one period; the same, moved to where the members of the family start
+        and end; or paper P, eq. 5.
 
     Returns
     -------
@@ -83,11 +89,13 @@ def find_recurrences(
         raise ParameterError(f"min_amplitude must be 0 or more and finite, got {min_amplitude}.")
     if not 0 <= min_contrast < 1:
         raise ParameterError(f"min_contrast must lie in [0, 1), got {min_contrast}.")
+    if cuts not in CUTS:
+        raise ParameterError(f"cuts must be one of {', '.join(CUTS)}, got {cuts!r}.")
     parameters: dict[str, object] = {
         "method": "recurrence", "working_rate_hz": WORKING_RATE,
         "max_distance": max_distance, "max_distance_own_unit": max_distance * features.scale, "unit": features.unit,
         "min_duration_s": min_duration_s, "min_amplitude": min_amplitude, "min_contrast": min_contrast,
-        "stillness": stillness, "features": list(features.names),
+        "stillness": stillness, "cuts": cuts, "features": list(features.names),
     }  # fmt: skip
     work = resample(features, WORKING_RATE)
     if len(work) < 2 * min_duration_s * WORKING_RATE:
@@ -104,8 +112,14 @@ def find_recurrences(
     stripes = [
         s for s in traced.stripes if s.contrast >= min_contrast and s.lag >= MIN_PERIOD_S * WORKING_RATE
     ]
-    themes = [_settled(theme) for theme in themes_of(cyclic_runs(stripes, alike.speed), stripes)]
+    runs = cyclic_runs(stripes, cutter(cuts, alike.speed, work.values))
+    themes = themes_of(runs, stripes)
+    refine = Refiner(features, WORKING_RATE, max_distance)
+    for theme in themes:
+        theme.runs = _settled([refine.run(run) for run in theme.runs])
     returns = returns_of(themes, stripes, distances, alike, shortest=shortest, min_contrast=min_contrast)
+    for item in returns:
+        item.spans = refine.spans(item.spans)
 
     scribe = _Scribe(features, distances, alike, max_distance)
     found = [scribe.cyclic(theme) for theme in themes] + [scribe.acyclic(item) for item in returns]
@@ -230,8 +244,16 @@ class _Scribe:
         costs = []
         for i, j in pairs:
             rows, columns = (_moments(occurrences[k], len(self.distances)) for k in (i, j))
-            costs.append(align(self.distances.between(rows, columns)).cost)
+            costs.append(self._cost(self.distances.between(rows, columns)))
         return np.array(costs), pairs
+
+    def _cost(self, apart: np.ndarray) -> float:
+        """Mean distance of two occurrences laid over one another; moments that were not seen are left out."""
+        seen = ~np.isnan(apart)
+        if not seen.any():
+            return self.max_distance
+        apart = apart[np.ix_(seen.any(axis=1), seen.any(axis=0))]
+        return float(align(np.where(np.isnan(apart), self.max_distance, apart)).cost)
 
     def _within(self, theme: Theme) -> list[Stripe]:
         """The parts of a theme's stripes that lie in its stretches."""
@@ -299,10 +321,10 @@ def _compared(count: int) -> np.ndarray:
     return np.stack((first, first + apart), axis=1)
 
 
-def _settled(theme: Theme) -> Theme:
+def _settled(runs: Sequence[Run]) -> list[Run]:
     """Runs of one theme without overlap: a later run gives up the cycles that begin before the earlier one ends."""
     settled: list[Run] = []
-    for run in sorted(theme.runs, key=lambda run: run.start):
+    for run in sorted(runs, key=lambda run: run.start):
         if settled and run.start < settled[-1].stop:
             last = settled[-1]
             borders = [b for b in run.borders if b >= last.borders[-1]]
@@ -312,7 +334,7 @@ def _settled(theme: Theme) -> Theme:
             last.stop = min(last.stop, borders[0])
             run = Run(max(run.start, last.stop), run.stop, run.period, run.stripes, run.support, borders)
         settled.append(run)
-    return Theme(settled, theme.stripes)
+    return settled
 
 
 def _held_postures(

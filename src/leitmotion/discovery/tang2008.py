@@ -20,6 +20,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from leitmotion.discovery.autocorrelation import cycle_lags
 from leitmotion.discovery.pattern import Pattern, PatternPair, Patterns, cut_at_occurrences, letter
 from leitmotion.features.resampling import resample
 from leitmotion.features.sequence import FeatureSequence
@@ -28,7 +29,6 @@ from leitmotion.motion.segmentation import Segmentation
 from leitmotion.similarity import align, self_distance
 
 REACH_S = 0.05  # how far regions A and B of figure 8 (b) reach: the paper gives no size
-PEAK = 0.2  # which peaks of eq. 5 are "sufficiently high": half cycles stay below, whole ones of people above
 SAME_DURATION = 2.0  # acyclic segments are of one duration within the slope that tracing allows
 
 
@@ -241,7 +241,7 @@ def _cut_cycles(
     for family in families:
         start, stop = min(t.s_min for t in family), max(t.e_max for t in family)
         continuous = any(_touches(trace, tolerance) for trace in family)
-        lags = _cycle_lags(values[start:stop], shortest) if continuous else []
+        lags = cycle_lags(values[start:stop], shortest) if continuous else []
         if lags:
             borders = [start, *(start + lag for lag in lags), stop]
             how = "one trace onto itself" if len(family) == 1 else f"{len(family)} aligned traces"
@@ -262,38 +262,6 @@ def _touches(trace: Trace, tolerance: float) -> bool:
     """Whether the later segment starts where the earlier ends, as nearly as ends are aligned, or before."""
     (_, stop), (start, _) = trace.segments
     return start - stop <= tolerance * (trace.e_max - trace.s_min)
-
-
-def _cycle_lags(x: np.ndarray, shortest: int) -> list[int]:
-    """Find the lags of the high peaks of eq. 5, no two nearer than the shortest pattern.
-
-    The sum of eq. 5 has L - lag terms and so fades as (L - lag) / L; a peak must reach PEAK of that.
-    """
-    L = len(x)
-    r = _autocorrelation(x)
-    lag = np.arange(max(shortest, 1), L - shortest + 1)
-    is_peak = (
-        (r[lag] > r[lag - 1]) & (r[lag] >= r[np.minimum(lag + 1, L - 1)]) & (r[lag] >= PEAK * (L - lag) / L)
-    )
-    peaks: list[int] = []
-    for peak in sorted(lag[is_peak].tolist(), key=lambda k: (-r[k], k)):
-        if all(abs(peak - other) >= shortest for other in peaks):
-            peaks.append(peak)
-    return sorted(peaks)
-
-
-def _autocorrelation(x: np.ndarray) -> np.ndarray:
-    """Eq. 5: correlation of x (L, D) with itself at each lag, averaged over the columns that move and are seen."""
-    L = len(x)
-    x = x[:, ~np.isnan(x).any(axis=0)]
-    centred = x - x.mean(axis=0)
-    power = (centred**2).sum(axis=0)
-    moving = power > 1e-12 * max(power.max(initial=0.0), 1e-300)
-    if not moving.any():
-        return np.zeros(L)
-    spectrum = np.fft.rfft(centred[:, moving], 2 * L, axis=0)
-    r = np.fft.irfft(abs(spectrum) ** 2, 2 * L, axis=0)[:L]
-    return np.asarray((r / power[moving]).mean(axis=1))
 
 
 def _group(traces: Sequence[Trace], C: np.ndarray, threshold: float) -> list[Found]:

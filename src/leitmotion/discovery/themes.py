@@ -18,7 +18,8 @@ from itertools import product
 
 import numpy as np
 
-from leitmotion.discovery.families import SAME_PERIOD, WHOLE, Run, is_near
+from leitmotion.discovery.cuts import WHOLE
+from leitmotion.discovery.families import SAME_PERIOD, Run, is_near
 from leitmotion.discovery.stripes import Stripe
 
 LINKED = 0.8  # of a period: how long a stripe between two runs must be to make them one movement
