@@ -32,6 +32,7 @@ if TYPE_CHECKING:
         PatternScores,
         PatternTruth,
         Repaired,
+        Residual,
         Segmentation,
         Skeleton,
         Trajectories,
@@ -49,6 +50,7 @@ if TYPE_CHECKING:
         repair,
         report,
         save,
+        search_residual,
         write,
     )
 
@@ -70,6 +72,7 @@ __all__ = [
     "PatternTruth",
     "Patterns",
     "Repaired",
+    "Residual",
     "Segmentation",
     "Skeleton",
     "Trajectories",
@@ -87,6 +90,7 @@ __all__ = [
     "repair",
     "report",
     "save",
+    "search_residual",
     "write",
 ]
 

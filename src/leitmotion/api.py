@@ -18,7 +18,7 @@ from leitmotion.body import ROLES, Body, BodyMap, embody, find_roles, map_of
 from leitmotion.body import swap_sides as exchanged
 from leitmotion.conversion import Converted, convert
 from leitmotion.datasets import compose_session
-from leitmotion.discovery import Pattern, Patterns
+from leitmotion.discovery import Pattern, Patterns, Residual
 from leitmotion.evaluating import evaluate
 from leitmotion.evaluation import FoundPatterns, PatternScores, PatternTruth
 from leitmotion.features import FEATURES, FeatureSequence, extract
@@ -53,6 +53,7 @@ __all__ = [
     "PatternTruth",
     "Patterns",
     "Repaired",
+    "Residual",
     "Segmentation",
     "Skeleton",
     "Trajectories",
@@ -70,6 +71,7 @@ __all__ = [
     "repair",
     "report",
     "save",
+    "search_residual",
     "write",
 ]
 
@@ -148,6 +150,58 @@ def find_patterns(
     roles = _exchanged(recording, body_map) if swap_sides else body_map
     described = _described(recording, features, joints, exclude, roles)
     return _search(described, features, method=method, **options)
+
+
+def search_residual(
+    recording: Recording,
+    patterns: Patterns,
+    *,
+    body_map: Roles | None = None,
+    swap_sides: bool = False,
+    **options: Any,
+) -> Residual:
+    """Search what the patterns of a recording left over for movements that may have been missed (paper P, eq. 6).
+
+    A check on a search: stretches that no pattern holds are compared by how their movements correlate, which is loose.
+    Most candidates are worth a look and no more.
+
+    Parameters
+    ----------
+    recording : Motion, Trajectories or Body
+        One person.
+    patterns : Patterns
+        What :func:`find_patterns` found in it; the same features and joints are compared.
+    body_map, swap_sides
+        As for :func:`find_patterns`.
+    **options
+        ``window_s``, ``min_correlation`` and ``min_spread`` of :func:`leitmotion.discovery.search_residual`.
+
+    Returns
+    -------
+    Residual
+        The candidates, best first; none is a proper answer.
+
+    Raises
+    ------
+    ParameterError
+        When an option is out of range, or the patterns are of another recording.
+    DataError
+        When nothing in the recording tells how large the body is.
+
+    Examples
+    --------
+    >>> import leitmotion as lm
+    >>> dance = lm.read("dance.bvh")                                 # doctest: +SKIP
+    >>> missed = lm.search_residual(dance, lm.find_patterns(dance))  # doctest: +SKIP
+    >>> missed.candidates[0].correlation                             # doctest: +SKIP
+    0.83
+    """
+    from leitmotion.discovery import search_residual as search
+
+    roles = _exchanged(recording, body_map) if swap_sides else body_map
+    name = str(patterns.parameters.get("feature", "posture"))
+    joints: Any = patterns.parameters.get("features")
+    return search(_described(recording, name, joints, None, roles), patterns, **options)
 
 
 def report(

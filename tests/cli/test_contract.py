@@ -193,3 +193,15 @@ def test_the_schema_can_say_no(
         del document["result"]["patterns"][0]["occurrences"][2:]
     change(document)
     assert complaint in " ".join(faults(document, schema))
+
+
+def test_what_may_have_been_missed_is_part_of_the_contract(
+    run: Run, made: Path, schema: dict[str, Any]
+) -> None:
+    (document,) = documents(
+        run("patterns", made / "jacks.bvh", "--min-duration", "60", "--residual", "--json").stdout
+    )
+    assert faults(document, schema) == []
+    assert document["result"]["residual"]["candidates"]
+    (without,) = documents(run("patterns", made / "jacks.bvh", "--json").stdout)
+    assert "residual" not in without["result"]

@@ -3,6 +3,7 @@
 import csv
 import io
 import json
+import re
 from pathlib import Path
 
 import numpy as np
@@ -308,3 +309,33 @@ def test_an_eaf_holds_the_occurrences_in_the_time_of_the_whole_file(run: Run, ma
 def test_nothing_found_is_an_empty_eaf(run: Run, made: Path) -> None:
     assert run("patterns", made / "once.bvh", "-o", "none.eaf").exit_code == 0
     assert len(lm.read_annotations("none.eaf", rate=30)) == 0
+
+
+def test_what_may_have_been_missed_is_told_when_asked(run: Run, made: Path) -> None:
+    options = (made / "jacks.bvh", "--min-duration", "60")  # nothing is that long, so that all is left over
+    assert "missed" not in run("patterns", *options).stdout
+    told = run("patterns", *options, "--residual")
+    assert told.exit_code == 0
+    lines = told.stdout.splitlines()
+    head = next(k for k, line in enumerate(lines) if "may have been missed" in line)
+    assert re.fullmatch(
+        r"  \d+\.\d–\d+\.\d s and \d+\.\d–\d+\.\d s, correlation (0\.\d\d|1\.00)", lines[head + 1]
+    )
+    assert len(lines) - head - 1 <= 10
+    (document,) = [json.loads(run("patterns", *options, "--residual", "--json").stdout)]
+    residual = document["result"]["residual"]
+    recording = lm.read(made / "jacks.bvh")
+    expected = lm.search_residual(recording, lm.find_patterns(recording, min_duration_s=60.0))
+    assert [(one["a"]["start"], one["b"]["stop"]) for one in residual["candidates"]] == [
+        (one.a[0], one.b[1]) for one in expected
+    ]
+    assert [(one["start"], one["stop"]) for one in residual["left_over"]] == [(0, len(recording))]
+
+
+def test_nothing_missed_is_an_answer(run: Run) -> None:
+    still = np.zeros((90, 15, 3)) + np.arange(15)[:, None] / 10
+    lm.write(lm.Trajectories(tuple(f"m{k}" for k in range(15)), still, rate=30.0), "still.npz")
+    told = run("patterns", "still.npz", "--residual")
+    assert told.stdout.endswith(
+        "Of 3.0 s in 1 stretch left over by the patterns, nothing moves like anything else there.\n"
+    )

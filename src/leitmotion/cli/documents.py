@@ -24,7 +24,7 @@ from typing import TYPE_CHECKING, Any
 from leitmotion import __version__
 
 if TYPE_CHECKING:
-    from leitmotion.api import Info, Patterns, Repaired, Segmentation
+    from leitmotion.api import Info, Patterns, Repaired, Residual, Segmentation
     from leitmotion.cli.failures import Failure
     from leitmotion.cli.inputs import Input
 
@@ -159,6 +159,25 @@ def patterns_result(found: Patterns) -> Document:
             for pair in found.pairs
         ],
         "nearest_miss": found.nearest_miss,
+    }
+
+
+def residual_result(missed: Residual) -> Document:
+    """Make the part of the result that tells what may have been missed, where it was asked for."""
+    rate = missed.rate
+    return {
+        "residual": {
+            "candidates": [
+                {
+                    "a": stretch(*candidate.a, rate=rate),
+                    "b": stretch(*candidate.b, rate=rate),
+                    "correlation": _decimals(candidate.correlation, SCORE_DIGITS),
+                }
+                for candidate in missed.candidates
+            ],
+            "left_over": _stretches(missed.left_over, ""),
+            "parameters": missed.parameters,
+        }
     }
 
 

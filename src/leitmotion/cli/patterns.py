@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING
 import click
 
 from leitmotion.cli.batch import Answer, answer_each, finish
-from leitmotion.cli.documents import Document, patterns_result
-from leitmotion.cli.finding import search, show_patterns, warnings_of
+from leitmotion.cli.documents import Document, patterns_result, residual_result
+from leitmotion.cli.finding import search, search_left_over, show_patterns, show_residual, warnings_of
 from leitmotion.cli.inputs import Input
 from leitmotion.cli.options import Options, as_json, common, examples, force, output, takes_inputs
 from leitmotion.cli.outputs import check_output, write_documents, write_figure
@@ -19,6 +19,8 @@ from leitmotion.cli.progress import Progress
 from leitmotion.cli.recordings import Opened, open_one
 
 if TYPE_CHECKING:
+    from rich.console import Console
+
     from leitmotion.api import Patterns, Segmentation
 
 TABLES = (".json", ".csv")
@@ -36,10 +38,14 @@ COLUMNS = (
     epilog=examples(
         "leitmotion patterns dance.bvh",
         "leitmotion patterns dance.bvh[12s:45s] -o dance.csv",
+        "leitmotion patterns dance.bvh --residual",
         "leitmotion patterns recordings/ --json",
     )
 )
 @takes_inputs
+@click.option(
+    "--residual", is_flag=True, help="Also tell what may have been missed: moves left over that correlate."
+)
 @output(
     "Also write what was found, by the ending: .json or .csv; of one input .html, .eaf (ELAN), "
     ".png, .svg, .pdf or .npz."
@@ -47,7 +53,7 @@ COLUMNS = (
 @force
 @as_json
 @common()
-def patterns(inputs: tuple[str, ...], options: Options) -> None:
+def patterns(inputs: tuple[str, ...], residual: bool, options: Options) -> None:
     """Find what recurs in a recording."""
 
     def look(given: Input, progress: Progress) -> Answer:
@@ -55,12 +61,17 @@ def patterns(inputs: tuple[str, ...], options: Options) -> None:
         found = search(opened.body, options, progress)
         if options.output is not None and options.output.suffix.lower() in OF_ONE:
             _write_one(options.output, opened, found, options, progress)
+        missed = search_left_over(opened.body, found, progress) if residual else None
+
+        def show(console: Console) -> None:
+            show_patterns(console, found, seconds=opened.source[0]["seconds"], body=opened.body)
+            if missed is not None:
+                show_residual(console, missed)
+
         return Answer(
             source=opened.source,
-            result=patterns_result(found),
-            show=lambda console: show_patterns(
-                console, found, seconds=opened.source[0]["seconds"], body=opened.body
-            ),
+            result=patterns_result(found) | (residual_result(missed) if missed is not None else {}),
+            show=show,
             parameters={**found.parameters, **opened.parameters},
             warnings=warnings_of(opened, found),
         )

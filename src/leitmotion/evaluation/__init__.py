@@ -3,10 +3,12 @@
 from leitmotion.evaluation.pattern_scores import MEASURES, PatternScores, RunCount, interval, pool
 from leitmotion.evaluation.pattern_truth import FoundPatterns, PatternTruth
 from leitmotion.evaluation.patterns import evaluate_patterns, linked, owners
+from leitmotion.evaluation.tang2008 import PaperErrorRates, paper_error_rates
 
 __all__ = [
     "MEASURES",
     "FoundPatterns",
+    "PaperErrorRates",
     "PatternScores",
     "PatternTruth",
     "RunCount",
@@ -14,5 +16,6 @@ __all__ = [
     "interval",
     "linked",
     "owners",
+    "paper_error_rates",
     "pool",
 ]
