@@ -163,7 +163,7 @@ def search_residual(
     """Search what the patterns of a recording left over for movements that may have been missed (paper P, eq. 6).
 
     A check on a search: stretches that no pattern holds are compared by how their movements correlate, which is loose.
-    Most candidates are worth a look and no more.
+    Many candidates are chance: they are worth a look and no more.
 
     Parameters
     ----------

@@ -127,7 +127,7 @@ def show_residual(console: Console, missed: Residual) -> None:
         console.print(f"Of {left}, nothing moves like anything else there.")
         return
     some = f", the best {TOLD}" if len(missed) > TOLD else ""
-    console.print(f"Of {left}, {plural(len(missed), 'pair')} may have been missed{some}; most are chance:")
+    console.print(f"Of {left}, {plural(len(missed), 'pair')} may have been missed{some}; many are chance:")
     for candidate in missed.candidates[:TOLD]:
         a, b = (
             f"{start / missed.rate:.1f}–{stop / missed.rate:.1f} s"
