@@ -85,6 +85,26 @@ def test_a_start_point_needs_something_ahead_and_nothing_behind():
     assert kernels.start_points(marked([(20, 5)], 40), 3) == []
 
 
+@pytest.mark.parametrize("slope", [-2.0, -1.0, -0.7, -0.5])
+def test_an_anti_diagonal_has_no_start_point(slope):
+    """It is invalid (figure 7), however flat: several of its points may lie in one row."""
+    against_time = [(20 + k, round(18 + slope * k)) for k in range(9)]
+    assert kernels.start_points(marked(against_time, 40), 3) == []
+
+
+@pytest.mark.parametrize("slope", [0.5, 0.7, 1.0, 2.0])
+def test_a_diagonal_has_one_start_point(slope):
+    diagonal = [(40 + k, round(5 + slope * k)) for k in range(9)]
+    assert kernels.start_points(marked(diagonal, 60), 3) == diagonal[:1]
+
+
+def test_a_rest_that_is_not_of_the_duration_of_most_cycles_is_none():
+    cycles = [(0, 60), (60, 125), (125, 180)]
+    assert tang2008._whole([*cycles, (180, 330)]) == cycles
+    assert tang2008._whole([*cycles, (180, 205)]) == cycles
+    assert tang2008._whole([*cycles, (180, 215)]) == [*cycles, (180, 215)]
+
+
 def traced(C):
     return tang2008._trace_patterns(C, 0.26, (30, 50), 0.5, 30, 3)
 

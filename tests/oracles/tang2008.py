@@ -31,7 +31,7 @@ def start_points(minima: set[Point], reach: int) -> list[Point]:
         (x, y)
         for x, y in sorted(minima)
         if not some(range(x - reach, x), range(y - 2 * reach, y + 1))
-        and some(range(x + 1, x + reach + 1), range(y, y + 2 * reach + 1))
+        and some(range(x + 1, x + reach + 1), range(y + 1, y + 2 * reach + 1))
     ]
 
 

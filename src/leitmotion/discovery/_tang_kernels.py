@@ -24,7 +24,8 @@ def start_points(minima, reach):
     """List the minima with none before (region B) and some ahead (region A), figure 8 (b), as rows (x, y).
 
     Either region reaches `reach` columns and, as no pattern is steeper than 2, twice as many rows; B to the
-    left and below, A to the right and above.
+    left and below, A to the right and above. A leaves out the row of the point itself: a pattern of slope 1/2 has
+    risen within two columns, and a flat anti-diagonal has steps of several points in one row.
     """
     n = minima.shape[0]
     found = [(0, 0) for _ in range(0)]
@@ -33,7 +34,7 @@ def start_points(minima, reach):
             if not minima[x, y]:
                 continue
             before = _any_within(minima, x - reach, x, y - 2 * reach, y + 1)
-            ahead = _any_within(minima, x + 1, x + reach + 1, y, y + 2 * reach + 1)
+            ahead = _any_within(minima, x + 1, x + reach + 1, y + 1, y + 2 * reach + 1)
             if ahead and not before:
                 found.append((x, y))
     return found

@@ -29,7 +29,7 @@ from leitmotion.motion.segmentation import Segmentation
 from leitmotion.similarity import align, self_distance
 
 REACH_S = 0.05  # how far regions A and B of figure 8 (b) reach: the paper gives no size
-SAME_DURATION = 2.0  # acyclic segments are of one duration within the slope that tracing allows
+SAME_DURATION = 2.0  # cycles and acyclic segments are of one duration within the slope that tracing allows
 
 
 class Trace(NamedTuple):
@@ -252,9 +252,9 @@ def _cut_cycles(
 
 
 def _whole(cycles: list[tuple[int, int]]) -> list[tuple[int, int]]:
-    """Leave out what lasts more than twice as long as most cycles: a rest of the family without a peak."""
+    """Leave out what is not of the duration of most cycles: a rest of the family, before or after its last peak."""
     usual = float(np.median([stop - start for start, stop in cycles]))
-    kept = [(start, stop) for start, stop in cycles if stop - start <= 2 * usual]
+    kept = [(a, b) for a, b in cycles if 1 / SAME_DURATION <= (b - a) / usual <= SAME_DURATION]
     return kept if len(kept) >= 2 else cycles
 
 
