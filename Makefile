@@ -15,7 +15,7 @@ export LEITMOTION_DATA := $(abspath ../shared/data)
 endif
 endif
 
-.PHONY: help demo test fuzz check bench docs-pictures docs-recordings clean
+.PHONY: help demo test fuzz check bench docs-pictures docs-paper docs-recordings clean
 .DEFAULT_GOAL := help
 
 help:  ## List what can be made
@@ -41,6 +41,9 @@ bench: $(VENV)/.bench  ## Measure speed and quality, rewrite the tables of docs/
 
 docs-pictures: $(VENV)/.test  ## Make the pictures of the documentation anew
 	$(BIN)/python docs/make_screenshots.py
+
+docs-paper: $(VENV)/.demo  ## Make the figures of the papers' pages anew from recordings; FIGURES="p-06-matrix" chooses
+	$(BIN)/python docs/make_paper_figures.py $(FIGURES)
 
 docs-recordings: $(VENV)/.demo  ## Write what is understood of every recording at hand; SHEETS=FOLDER draws them too
 	$(BIN)/python docs/make_recordings.py $(SHEETS)
