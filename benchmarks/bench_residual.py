@@ -1,32 +1,31 @@
 """Paper P's own error rates, and what its residual search brings to light.
 
 U pairs are found, u of them are false; v candidates of the residual search (eq. 6) are pairs that were missed. Where
-the paper asked observers, labels tell: a stretch belongs to an action when 80 % of its frames carry that label.
+the paper asked observers, labels tell, by the protocol of `leitmotion.evaluation`: a stretch belongs to an action when
+80 % of its frames carry that label.
 """
 
 from __future__ import annotations
 
 import time
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable
 from itertools import combinations
 
 import numpy as np
 
 from leitmotion import body, datasets, features, io
-from leitmotion.discovery import Patterns, find_patterns, search_residual
-from leitmotion.evaluation import paper_error_rates
+from leitmotion.discovery import Patterns, Residual, find_patterns, search_residual
+from leitmotion.evaluation import PatternTruth, owners, paper_error_rates
 from leitmotion.features import FeatureSequence
 from leitmotion.motion import Segmentation
 from recordings import locate
+from truths import annotated
 
 Row = tuple[str, str, str]
-Labelled = tuple[FeatureSequence, np.ndarray]
+Judged = tuple[FeatureSequence, PatternTruth]
 METHODS = ("tang2008", "recurrence")
-SEEDS = range(41, 51)
 MOCAP6 = ("13_29", "13_30", "13_31", "14_06")
-SHARE = 0.8
-UNSURE_S = 0.25
-CUT_AT = 12  # AMC frames a label of mocap6 stands for
+SEEDS = range(41, 51)
 
 
 def main() -> None:
@@ -39,101 +38,62 @@ def rows() -> list[Row]:
     """Measure; (what, figure, protocol) for every line."""
     table = []
     for name, recordings in (
-        ("86_01", [cmu86()]),
-        ("mocap6, 4 recordings", [mocap6(trial) for trial in MOCAP6]),
+        ("86_01", [recorded("cmu86/86_01.amc")]),
+        ("mocap6, 4 recordings", [recorded(f"mocap6/{trial}.amc") for trial in MOCAP6]),
         (f"practice sessions of seeds {SEEDS[0]} to {SEEDS[-1]}", [composed(seed) for seed in SEEDS]),
     ):
-        for method in METHODS:
-            table.append(row(f"{name}, {method}", recordings, method))
+        table += [row(f"{name}, {method}", recordings, method) for method in METHODS]
     return [*table, ten_minutes()]
 
 
-def row(what: str, recordings: Iterable[Labelled], method: str) -> Row:
+def row(what: str, recordings: Iterable[Judged], method: str) -> Row:
     """Count pairs and candidates, right and wrong, over recordings."""
-    found = false = 0
-    judged: list[str] = []
-    prior: list[float] = []
-    for sequence, labels in recordings:
+    pairs: list[str] = []
+    candidates: list[str] = []
+    windows: list[str] = []
+    for sequence, truth in recordings:
         patterns = find_patterns(sequence, method=method)
-        found += len(patterns.pairs)
-        false += sum(verdict(labels, pair.a, pair.b) != "one" for pair in patterns.pairs)
         residual = search_residual(sequence, patterns)
-        judged += [verdict(labels, one.a, one.b) for one in residual]
-        prior += [verdict(labels, a, b) == "one" for a, b in any_pairs(patterns, residual.left_over)]
-    missed = judged.count("one")
+        pairs += verdicts(truth, [(pair.a, pair.b) for pair in patterns.pairs])
+        candidates += verdicts(truth, [(one.a, one.b) for one in residual])
+        windows += verdicts(truth, list(combinations(windows_of(residual), 2)))
+    found, false, missed = len(pairs), len(pairs) - pairs.count("one"), candidates.count("one")
     rates = paper_error_rates(found, false, missed)
-    chance = f"{np.mean(prior):.0%}" if prior else "none"
+    blind = f"; of any two windows left over {windows.count('one') / len(windows):.0%} do" if windows else ""
     return (
         what,
         f"type I {rates.type_one:.1%}, type II {rates.type_two:.1%}",
-        f"U {found}, u {false}, v {missed}; of {len(judged)} candidates {missed} join one action, "
-        f"{judged.count('two')} two different ones, {judged.count('none')} a stretch of no action; "
-        f"of any two windows left over {chance} join one action",
+        f"U {found}, u {false}, v {missed}; of {len(candidates)} candidates {missed} join one action, "
+        f"{candidates.count('two')} two different ones, {candidates.count('none')} a stretch of none{blind}",
     )
 
 
-def verdict(labels: np.ndarray, a: tuple[int, int], b: tuple[int, int]) -> str:
-    """Say whether two stretches belong to one action, to two, or one of them to none."""
-    first, second = action(labels, a), action(labels, b)
-    if "" in (first, second):
-        return "none"
-    return "one" if first == second else "two"
+def verdicts(truth: PatternTruth, pairs: list[tuple[tuple[int, int], tuple[int, int]]]) -> list[str]:
+    """Say of each pair whether its stretches belong to one action, to two, or one of them to none."""
+    if not pairs:
+        return []
+    a, b = (owners(truth, np.array(side)) for side in zip(*pairs, strict=True))
+    return ["none" if None in (x, y) else "one" if x == y else "two" for x, y in zip(a, b, strict=True)]
 
 
-def action(labels: np.ndarray, span: tuple[int, int]) -> str:
-    """Name the action that a stretch belongs to; empty where there is none."""
-    names, counts = np.unique(labels[slice(*span)], return_counts=True)
-    best = int(np.argmax(counts))
-    return str(names[best]) if counts[best] >= SHARE * (span[1] - span[0]) else ""
+def windows_of(residual: Residual, window_s: float = 0.5) -> list[tuple[int, int]]:
+    """All windows left over: what a blind choice would pair."""
+    length = round(window_s * residual.rate)
+    return [(k, k + length) for a, b, _, _ in residual.left_over for k in range(a, b - length + 1, length)]
 
 
-def any_pairs(
-    patterns: Patterns, left_over: Segmentation, window_s: float = 0.5
-) -> Iterator[tuple[tuple[int, int], tuple[int, int]]]:
-    """Pair all windows left over: what a blind choice would join."""
-    length = round(window_s * patterns.rate)
-    windows = [(k, k + length) for a, b, _, _ in left_over for k in range(a, b - length + 1, length)]
-    return combinations(windows, 2)
+def recorded(name: str) -> Judged:
+    """Read an annotated recording."""
+    return features.posture(body.embody(io.read(locate(name)))), annotated(name)
 
 
-def cmu86() -> Labelled:
-    """Read 86_01; frames between an annotator's earliest and latest border carry no label."""
-    sequence = posture_of("cmu86/86_01.amc")
-    labels = np.full(len(sequence), "", dtype="U32")
-    text = (locate("cmu86/86_01.amc").parent / "mocap.txt").read_text()
-    block = text.replace("\r", "").split("86 01\n")[1].split("\n\n")[0]
-    start, last = 0, len(block.splitlines()) - 1
-    for k, line in enumerate(block.splitlines()):
-        name, earliest, _, latest = line.split()[:4]
-        labels[start : len(labels) if k == last else int(earliest)] = name
-        start = int(latest)
-    return sequence, labels
-
-
-def mocap6(trial: str) -> Labelled:
-    """Read a trial; frames within a quarter of a second of a change carry no label."""
-    sequence = posture_of(f"mocap6/{trial}.amc")
-    codes = np.array(locate(f"mocap6/{trial}.txt").read_text().split()).repeat(CUT_AT)[: len(sequence)]
-    labels = codes.astype("U32")
-    near = round(UNSURE_S * sequence.rate)
-    for change in np.flatnonzero(codes[1:] != codes[:-1]) + 1:
-        labels[max(0, change - near) : change + near] = ""
-    return sequence, labels
-
-
-def composed(seed: int) -> Labelled:
+def composed(seed: int) -> Judged:
     """Compose a session; stillness is no action."""
     session = datasets.compose_session(seed=seed)
-    sequence = features.posture(body.embody(session.motion))
-    labels = np.full(len(sequence), "", dtype="U32")
-    for start, stop, name, _ in session.stretches:
-        labels[start:stop] = "" if name == "still" else name
-    return sequence, labels
-
-
-def posture_of(name: str) -> FeatureSequence:
-    """Read a recording by its name."""
-    return features.posture(body.embody(io.read(locate(name))))
+    moving = [(a, b, name) for a, b, name, _ in session.stretches if name != "still"]
+    starts, stops, names = zip(*moving, strict=True)
+    runs = Segmentation(starts, stops, names, rate=session.stretches.rate)
+    return features.posture(body.embody(session.motion)), PatternTruth(runs)
 
 
 def ten_minutes() -> Row:

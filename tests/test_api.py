@@ -184,6 +184,28 @@ def test_paper_p_may_compare_the_recordings_own_markers() -> None:
     assert found.parameters["invariant_to"] == ["place", "yaw"]
 
 
+def test_what_is_left_over_is_compared_by_what_was_searched(session: lm.datasets.Session) -> None:
+    piece = session.motion[:600]
+    for options in ({}, {"joints": "left_*"}, {"features": "velocity", "max_distance": 1.0}):
+        found = lm.find_patterns(piece, **options)  # type: ignore[arg-type]
+        name = str(found.parameters["feature"])
+        described = lm.features.extract(name, lm.embody(piece), roles=found.parameters["features"])
+        assert lm.search_residual(piece, found) == lm.discovery.search_residual(described, found)
+    assert lm.search_residual(lm.embody(piece), found) == lm.search_residual(piece, found)
+    with pytest.raises(lm.ParameterError, match="The patterns reach to frame"):
+        lm.search_residual(piece[:90], lm.find_patterns(piece))
+
+
+def test_markers_of_any_name_are_searched_for_what_was_left_over() -> None:
+    markers = marker_file()
+    odd = markers.replace(
+        names=tuple(f"{name}[*]" if k < 2 else name for k, name in enumerate(markers.names))
+    )
+    found = lm.find_patterns(odd, method="tang2008", features="marker_posture")
+    assert "LFHD[*]" in found.parameters["features"]  # type: ignore[operator]
+    assert len(lm.search_residual(odd, found).left_over)
+
+
 def test_a_body_is_as_good_as_its_recording(session: lm.datasets.Session) -> None:
     piece = session.motion[:600]
     assert lm.find_patterns(lm.embody(piece)) == lm.find_patterns(piece)

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import difflib
 import fnmatch
+import glob
 import math
 import re
 from collections.abc import Mapping, Sequence
@@ -200,7 +201,8 @@ def search_residual(
 
     roles = _exchanged(recording, body_map) if swap_sides else body_map
     name = str(patterns.parameters.get("feature", "posture"))
-    joints: Any = patterns.parameters.get("features")
+    compared: Any = patterns.parameters.get("features")
+    joints = compared and [glob.escape(joint) for joint in compared]
     return search(_described(recording, name, joints, None, roles), patterns, **options)
 
 
