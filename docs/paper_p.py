@@ -13,7 +13,7 @@ import numpy as np
 
 from leitmotion import body, features, io
 from leitmotion.discovery import _tang_kernels as kernels
-from leitmotion.discovery import tang2008
+from leitmotion.discovery import autocorrelation, tang2008
 from leitmotion.discovery.tang2008 import Trace
 from leitmotion.features import FeatureSequence
 from leitmotion.features.resampling import resample
@@ -168,13 +168,13 @@ def cycle_peaks(sequence: FeatureSequence) -> Figure:
     family = largest_family(steps)
     start, stop = min(t.s_min for t in family), max(t.e_max for t in family)
     values = steps.values[start:stop]
-    r = tang2008._autocorrelation(values)
-    peaks = np.array(tang2008._cycle_lags(values, SHORTEST), int)
+    r = autocorrelation._autocorrelation(values)
+    peaks = np.array(autocorrelation.cycle_lags(values, SHORTEST), int)
     lag = np.arange(len(r)) / RATE
     figure = _figure(6.4, 2.7)
     axes = figure.add_axes((0.085, 0.17, 0.9, 0.78))
     axes.axhline(0, color=LIGHT.line, lw=0.8)
-    axes.plot(lag, tang2008.PEAK * (1 - lag / lag[-1]), color=LIGHT.ink2, lw=0.9, ls=(0, (4, 3)))
+    axes.plot(lag, autocorrelation.PEAK * (1 - lag / lag[-1]), color=LIGHT.ink2, lw=0.9, ls=(0, (4, 3)))
     axes.plot(lag, r, color=LIGHT.ink, lw=1.4)
     axes.plot(lag[peaks], r[peaks], "o", ms=5, color=VIOLET)
     for k, peak in enumerate(peaks, start=1):
