@@ -25,13 +25,13 @@ def told(name: str, truth: PatternTruth, found: FoundPatterns, scores: PatternSc
                 f"  wrong pair {_span(a0, a1, truth)} with {_span(b0, b1, truth)}: "
                 f"{a or _inside(a0, a1, truth)} / {b or _inside(b0, b1, truth)}"
             )
-        elif a not in truth.recurring:
+        elif a not in truth.recurring and a not in truth.uncertain:
             yield f"  done once {_span(a0, a1, truth)} with {_span(b0, b1, truth)}: {a}"
     for action in scores.missed:
         runs = [_span(a, b, truth) for a, b, label, _ in truth.runs if label == action]
         yield f"  missed {action}: {', '.join(runs)}"
     for run in scores.counts:
-        if run.counted and run.label in truth.recurring and not run.within:
+        if run.judged and not run.within:
             asked = (
                 f"{run.cycles:g}"
                 if run.least == run.most

@@ -22,6 +22,8 @@ def test_command(run: Run, made: Path, command: str) -> None:
     shutil.copy(made / "jacks.bvh", "recordings")
     shutil.copy(made / "once.bvh", "recordings")
     Path("labels.csv").write_text("start_s,stop_s,label\n1,2,jump\n", encoding="utf-8")
+    if "found.json" in shlex.split(command)[1:4]:
+        run("patterns", "dance.bvh", "-o", "found.json")
     told = run(*shlex.split(command))
     assert told.exit_code == 0, told.stderr
     assert told.stdout

@@ -93,6 +93,14 @@ def test_a_pair_within_an_action_that_does_not_recur_is_unfounded():
     assert (scores.wrong_pairs, scores.unfounded_pairs, scores.precision) == (0, 1, 0)
 
 
+@pytest.mark.parametrize(("cycles", "unfounded"), [((1, 1, 1), 1), ((np.nan,) * 3, 0), ((3, 3, 3), 0)])
+def test_where_nobody_counted_nobody_knows_whether_a_pair_is_unfounded(cycles, unfounded):
+    truth = PatternTruth(spans((0, 400, "walk")), cycles=[cycles])
+    scores = evaluate_patterns(truth, FoundPatterns(WALKS[:0], [[0, 100, 100, 200]]))
+    assert (scores.wrong_pairs, scores.unfounded_pairs) == (0, unfounded)
+    assert truth.uncertain == (("walk",) if np.isnan(cycles[0]) else ())
+
+
 @pytest.mark.parametrize(("covered", "missed"), [(400, ()), (399, ("walk",))])
 def test_an_action_is_found_by_half_of_its_frames(covered, missed):
     found = FoundPatterns(spans((0, covered // 2, "A"), (600, 600 + covered - covered // 2, "A")))
@@ -132,6 +140,7 @@ def test_a_count_is_that_of_the_pattern_that_covers_most_of_the_run():
     counts = evaluate_patterns(truth, found).counts
     assert [run.found for run in counts] == [2, 0, 0]
     assert [run.within for run in counts] == [True, False, False]
+    assert [run.judged for run in counts] == [True, False, True]  # the kick is done once
 
 
 @pytest.mark.parametrize("pieces", [1, 2, 5, 40])

@@ -15,6 +15,7 @@ from leitmotion import io
 from leitmotion.body import Body, BodyMap
 from leitmotion.datasets import Session
 from leitmotion.discovery.pattern import Pattern, PatternPair, Patterns
+from leitmotion.evaluation import FoundPatterns, PatternScores, PatternTruth, RunCount
 from leitmotion.features.sequence import FeatureSequence
 from leitmotion.io import archive
 from leitmotion.motion import (
@@ -55,6 +56,11 @@ def samples():
     yield SimilarityMatrix(values, "mean_norm", 50.0, 50.0)
     yield Session(motion, spans, empty)
     yield Alignment([[0, 0], [1, 1]], 0.5, 2)
+    yield PatternTruth(spans, [[2, 4]], [[2, 1, 3], [np.nan] * 3], spans)
+    yield FoundPatterns(spans, [[0, 3, 3, 9]])
+    count = RunCount("walk", 0, 3, 2, 2, 1, 3)
+    yield count
+    yield PatternScores(3, 1, recurring=("walk",), start_errors_s=(0.1, -0.2), counts=(count,))
 
 
 SAMPLES = {f"{type(noun).__name__}-{k}": noun for k, noun in enumerate(samples())}

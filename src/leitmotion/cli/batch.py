@@ -146,6 +146,17 @@ def answer_all(
     return Outcome(documents, any("error" in document for document in documents))
 
 
+def answer_one(verb: str, given: Input, options: Options, look: Look) -> Outcome:
+    """Answer about what is not a recording that an argument names; otherwise as :func:`answer_each`."""
+    with Progress(1, quiet=options.quiet) as progress:
+        answer = _look(given, look, progress)
+        progress.hide()
+        if isinstance(answer, LeftOut):
+            raise AssertionError("nothing that was named is left out")
+        document = _print(verb, given, answer, options, first=True, alone=True)
+    return Outcome([document], "error" in document)
+
+
 def _look(given: Input, look: Look, progress: Progress) -> Answer | Failure | LeftOut:
     try:
         if given.fault is not None:

@@ -247,7 +247,10 @@ def common(
         A decorator; the command it makes receives ``options`` instead of the single values.
     """
     wanted = (_SEARCHING if searching else ()) + _READING + (_SIDES if sides else ()) + _ANSWERING
+    return _gathering(wanted)
 
+
+def _gathering(wanted: tuple[Callable[..., Any], ...]) -> Callable[[Callable[..., Any]], Callable[..., Any]]:
     def decorate(command: Callable[..., Any]) -> Callable[..., Any]:
         @functools.wraps(command)
         def gathered(**given: Any) -> Any:
@@ -268,6 +271,10 @@ def common(
         return made
 
     return decorate
+
+
+answering = _gathering(_ANSWERING)
+"""Give a command the options of how to answer alone, passed on as one :class:`Options`."""
 
 
 def output(

@@ -28,6 +28,7 @@ VERBS = {
     "convert": "Write recordings in another format, whole folders at once.",
     "repair": "Mend a recording by remedies that have a name.",
     "patterns": "Find what recurs in a recording.",
+    "evaluate": "Judge an answer by what a person saw.",
     "report": "Write the page that shows what recurs.",
 }
 """Each verb and what it does; ``cli/VERB.py`` holds the command of that name."""

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass, fields
+from dataclasses import fields
 
 import numpy as np
 
 from leitmotion.motion.errors import ParameterError
+from leitmotion.motion.noun import Noun, noun
 
 MEASURES = (
     "type_one", "type_two", "precision", "recall", "f1", "paper_type_one", "paper_type_two",
@@ -17,8 +18,8 @@ MEASURES = (
 """What an interval can be given for."""
 
 
-@dataclass(frozen=True)
-class RunCount:
+@noun
+class RunCount(Noun):
     """How often a movement repeats within one run.
 
     Parameters
@@ -31,6 +32,8 @@ class RunCount:
         Occurrences that belong to the action and lie in the run, of the pattern that covers most of it.
     cycles, least, most : float
         What a person counted, and the least and the most that one may count; NaN where nobody did.
+    recurs : bool
+        Whether the action recurs.
     """
 
     label: str
@@ -40,11 +43,12 @@ class RunCount:
     cycles: float = math.nan
     least: float = math.nan
     most: float = math.nan
+    recurs: bool = True
 
     @property
-    def counted(self) -> bool:
-        """Whether a person counted."""
-        return math.isfinite(self.cycles)
+    def judged(self) -> bool:
+        """Whether the action recurs and a person counted: what is done once cannot be found."""
+        return self.recurs and math.isfinite(self.cycles)
 
     @property
     def within(self) -> bool:
@@ -52,8 +56,8 @@ class RunCount:
         return self.least <= self.found <= self.most
 
 
-@dataclass(frozen=True)
-class PatternScores:
+@noun
+class PatternScores(Noun):
     """How good patterns are; of several recordings (:func:`pool`) everything is strung together.
 
     Parameters
@@ -63,7 +67,7 @@ class PatternScores:
     wrong_pairs : int
         Those whose two stretches belong to different actions or to none.
     unfounded_pairs : int
-        Those whose stretches belong to one action, which does not recur, though.
+        Those whose stretches belong to one action, which is known not to recur.
     patterns, stray_patterns : int
         Patterns found, and those of which no two occurrences belong to one recurring action.
     recurring, missed : tuple of str
@@ -144,8 +148,8 @@ class PatternScores:
 
     @property
     def counts_within(self) -> float:
-        """Share of the counted runs whose number of cycles a person may count; NaN where none was counted."""
-        counted = [run for run in self.counts if run.counted]
+        """Share of the counted runs of recurring actions whose count a person may give; NaN where there are none."""
+        counted = [run for run in self.counts if run.judged]
         return _share(sum(run.within for run in counted), len(counted))
 
 

@@ -87,16 +87,22 @@ class PatternTruth(Noun):
         return tuple(label for label in self.actions if label in again or len(self._separate(label)) > 1)
 
     @property
+    def uncertain(self) -> tuple[str, ...]:
+        """The actions with a single run of 3 s or more in which nobody counted, so that they may recur or not."""
+        uncounted = np.isnan(self.cycles[:, :2]).all(axis=1) & self._long
+        labels = {label for label, open_ in zip(self.runs.labels, uncounted, strict=True) if open_}
+        return tuple(label for label in self.actions if label in labels and label not in self.recurring)
+
+    @property
     def cyclic(self) -> np.ndarray:
         """Which runs show a movement again and again, shape (S,) bool.
 
         They last 3 s or more and hold two cycles or more, as far as a person counts; or two repetitions that are known
         exactly.
         """
-        long = (self.runs.stops - self.runs.starts) / self.rate >= SHORTEST_CYCLIC_RUN - 1e-9
         counted = np.where(np.isnan(self.cycles[:, 0]), self.cycles[:, 1], self.cycles[:, 0])
         known = np.array([len(self.within(k)) for k in range(len(self.runs))], dtype=np.int64)
-        return np.asarray((long & (counted >= 2)) | (known >= 2))
+        return np.asarray((self._long & (counted >= 2)) | (known >= 2))
 
     def within(self, run: int) -> np.ndarray:
         """Give the repetitions of a run that are known exactly, shape (K, 2), frames.
@@ -126,6 +132,10 @@ class PatternTruth(Noun):
         for start, stop in self.unlabelled:
             which[max(start, 0) : max(stop, 0)] = -1
         return which
+
+    @property
+    def _long(self) -> np.ndarray:
+        return np.asarray((self.runs.stops - self.runs.starts) / self.rate >= SHORTEST_CYCLIC_RUN - 1e-9)
 
     def _separate(self, label: str) -> list[int]:
         """The runs of an action that do not go on from the one before."""

@@ -75,11 +75,12 @@ def evaluate_patterns(truth: PatternTruth, found: FoundPatterns) -> PatternScore
     a, b = _owners(truth, which, pairs[:, :2]), _owners(truth, which, pairs[:, 2:])
     right = np.array([x is not None and x == y for x, y in zip(a, b, strict=True)], dtype=bool)
     recurs = np.array([x in truth.recurring for x in a], dtype=bool)
+    once = np.array([x not in truth.recurring and x not in truth.uncertain for x in a], dtype=bool)
     links = linked(truth, pairs[right & recurs])
     return PatternScores(
         pairs=len(pairs),
         wrong_pairs=int((~right).sum()),
-        unfounded_pairs=int((right & ~recurs).sum()),
+        unfounded_pairs=int((right & once).sum()),
         patterns=len(set(found.occurrences.labels)),
         stray_patterns=_strays(truth, found, owner),
         recurring=truth.recurring,
@@ -218,8 +219,11 @@ def _borders_and_counts(
         here = spans[homes == k]
         patterns = np.array(found.occurrences.labels)[homes == k]
         time = {own: int(np.diff(here[patterns == own], axis=1).sum()) for own in patterns}
-        most = max(time, key=lambda own: time[own], default="")
-        counts.append(RunCount(label, start, stop, int((patterns == most).sum()), *truth.cycles[k].tolist()))
+        widest = max(time, key=lambda own: time[own], default="")
+        count = int((patterns == widest).sum())
+        cycles, least, most = truth.cycles[k].tolist()
+        recurs = label in truth.recurring
+        counts.append(RunCount(label, start, stop, count, cycles, least, most, recurs))
         if not len(here) or label not in judged:
             continue
         starts.append((here.min() - start) / truth.rate)

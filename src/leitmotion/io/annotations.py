@@ -18,6 +18,7 @@ from typing import Any
 
 import numpy as np
 
+from leitmotion.io.annotation_table import COLUMNS, from_table, row_of
 from leitmotion.io.containers import read_file
 from leitmotion.io.dataset_labels import Row, decoded, from_aca, from_blocks, is_aca, is_blocks
 from leitmotion.io.elan import read_eaf
@@ -25,11 +26,7 @@ from leitmotion.io.elan_writing import eaf_of
 from leitmotion.io.files import write_whole
 from leitmotion.motion import FormatError, ParameterError, Segmentation
 
-_LAST = 2.0**53  # beyond it frames are no whole numbers
 _LISTS = ("segments", "stretches", "repetitions", "occurrences", "spans")
-_COLUMNS = ("start", "stop", "start_s", "stop_s", "label", "score")
-_ALIASES = {"end": "stop", "end_s": "stop_s", "begin": "start", "name": "label", "start_frame": "start",
-            "stop_frame": "stop", "end_frame": "stop"}  # fmt: skip
 _NOT_READ = {
     ".textgrid": "Praat", ".anvil": "Anvil", ".trs": "Transcriber", ".boris": "BORIS", ".srt": "subtitle",
     ".vtt": "subtitle",
@@ -56,7 +53,8 @@ def read_annotations(
     rate : float
         Frames per second of the recording.
     trial : str, optional
-        Which block of a file with several, such as "86_01".
+        Which block of a file with several, such as "86_01"; in a table with a column ``path`` or ``recording``, whose
+        rows: by the path, its end, or the file's name without ending.
     tier : str, optional
         Which tier of an EAF with several, "*" for all. An annotation there that is shorter than a frame has one.
     frames : int, optional
@@ -88,11 +86,11 @@ def read_annotations(
     elif is_blocks(text):
         rows = from_blocks(text, rate, path)
     elif path.suffix.lower() in (".csv", ".tsv"):
-        rows = _from_csv(text, rate, path)
+        rows = from_table(text, rate, path, trial)
     elif is_aca(text):
         rows = from_aca(text, rate, trial, path)
     else:
-        rows = _from_csv(text, rate, path)
+        rows = from_table(text, rate, path, trial)
     return _segmentation(rows, rate, frames, path)
 
 
@@ -141,8 +139,8 @@ def write_annotations(
         writer = csv.writer(
             file, lineterminator="\n", quoting=csv.QUOTE_MINIMAL if plain else csv.QUOTE_NONNUMERIC
         )
-        writer.writerow(_COLUMNS)
-        writer.writerows([["" if row[name] is None else row[name] for name in _COLUMNS] for row in rows])
+        writer.writerow(COLUMNS)
+        writer.writerows([["" if row[name] is None else row[name] for name in COLUMNS] for row in rows])
         return write_whole(path, file.getvalue())
     raise ParameterError(f"Annotations are written as .csv, .json or .eaf, got {path.suffix or path.name!r}.")
 
@@ -204,41 +202,8 @@ def _segmentation(rows: list[Row], rate: float, frames: int | None, path: Path) 
         raise FormatError(f"{path.name}: {error.message}") from None
 
 
-def _row(entry: dict[str, Any], rate: float, where: str) -> Row:
-    values = {}
-    for name in ("start", "stop", "start_s", "stop_s", "score"):
-        given = entry.get(name)
-        if given is None or given == "":
-            continue
-        try:
-            values[name] = float(given)
-        except (TypeError, ValueError):
-            raise FormatError(f"{where}: expected a number as {name}, found {given!r}.") from None
-        if name != "score" and not math.isfinite(values[name]):
-            raise FormatError(f"{where}: expected a finite {name}, found {given!r}.")
-    seconds = "start_s" in values and "stop_s" in values
-    if "start" in values and "stop" in values:
-        start, stop = values["start"], values["stop"]
-        # JSON tells 12 from 12.0 by type, CSV by the decimal point
-        if any(isinstance(entry[name], float) or "." in str(entry[name]) for name in ("start", "stop")):
-            start, stop = start * rate, stop * rate
-        elif seconds and abs(values["stop_s"] * rate - stop) > 0.5:
-            start, stop = values["start_s"] * rate, values["stop_s"] * rate
-    elif seconds:
-        start, stop = values["start_s"] * rate, values["stop_s"] * rate
-    else:
-        raise FormatError(
-            f"{where}: expected start and stop (frames) or start_s and stop_s (seconds), "
-            f"found {', '.join(map(str, entry)) or 'nothing'}."
-        )
-    if not max(abs(start), abs(stop)) < _LAST:
-        raise FormatError(f"{where}: expected frames below {_LAST:.0e}, found {start:g} and {stop:g}.")
-    label = entry.get("label")
-    return start, stop, "" if label is None else str(label), values.get("score", math.nan)
-
-
 def _from_json(text: str, rate: float, path: Path) -> list[Row]:
-    entries = _parse(text, path)
+    entries = parse_documents(text, path)
     if isinstance(entries, list) and any(isinstance(entry, dict) and "result" in entry for entry in entries):
         if len(entries) > 1:
             raise FormatError(
@@ -257,10 +222,10 @@ def _from_json(text: str, rate: float, path: Path) -> list[Row]:
             f"{path.name}: expected a list of stretches, alone or under one of the names "
             f"{', '.join(_LISTS)}, or the answer of a search for patterns."
         )
-    return [_row(entry, rate, f"{path.name}, stretch {k + 1}") for k, entry in enumerate(entries)]
+    return [row_of(entry, rate, f"{path.name}, stretch {k + 1}") for k, entry in enumerate(entries)]
 
 
-def _parse(text: str, path: Path) -> Any:
+def parse_documents(text: str, path: Path) -> Any:
     """A document, or the list of documents of which each has a line."""
     try:
         return json.loads(text)
@@ -282,64 +247,3 @@ def _occurrences(patterns: Any) -> list[dict[str, Any]] | None:
             return None
         found += [{**entry, "label": pattern.get("id", entry.get("label"))} for entry in occurrences]
     return found
-
-
-def _from_csv(text: str, rate: float, path: Path) -> list[Row]:
-    first = text.partition("\n")[0]
-    delimiter = max(",;\t", key=first.count)
-    try:
-        lines = [
-            (number, cells)
-            for number, cells in enumerate(csv.reader(io.StringIO(text, newline=""), delimiter=delimiter), 1)
-            if any(cell.strip() for cell in cells)
-        ]
-    except csv.Error as error:
-        raise FormatError(
-            f"{path.name}: expected a table, found that a cell does not end ({error})."
-        ) from None
-    if not lines:
-        raise FormatError(f"{path.name}: expected a table of stretches, found empty lines.")
-    ours = lines[0][1] == list(_COLUMNS)
-    header = [cell.strip().lower() for cell in lines[0][1]]
-    names = [_ALIASES.get(word, word) for word in header]
-    if {"start", "stop"} <= set(names) or {"start_s", "stop_s"} <= set(names):
-        lines = lines[1:]
-    elif _is_number(header[0]) and len(header) > 1 and _is_number(header[1]):
-        names = ["start", "stop", "label", "score"][: len(header)]
-    else:
-        raise FormatError(
-            f"{path.name}, line 1: expected the columns start, stop, label (frames) or start_s, stop_s, label "
-            f"(seconds), found {', '.join(lines[0][1][:6])}."
-        )
-    if "label" not in names and "pattern" in names:
-        names[names.index("pattern")] = "label"
-    if "label" not in names:
-        raise FormatError(
-            f"{path.name}, line 1: expected a column label (or pattern), found {', '.join(header[:6])}."
-        )
-    if "path" in names:
-        place = names.index("path")
-        paths = {cells[place].strip() for _, cells in lines if place < len(cells)}
-        if len(paths) > 1:
-            raise FormatError(
-                f"{path.name}: expected the stretches of one recording, found those of {len(paths)}.",
-                remedy="Keep the rows of this recording.",
-            )
-    decimal = any("." in cells[names.index(n)] for _, cells in lines for n in ("start", "stop")
-                  if n in names and names.index(n) < len(cells))  # fmt: skip
-    rows = []
-    for number, cells in lines:
-        entry: dict[str, Any] = dict(zip(names, (cell.strip() for cell in cells)))
-        if ours:  # written here, and to the letter
-            entry["label"] = cells[names.index("label")] if len(cells) == len(names) else entry.get("label")
-        if decimal:  # one decimal point makes a column of seconds
-            entry = {"start_s": entry.pop("start", ""), "stop_s": entry.pop("stop", ""), **entry}
-        rows.append(_row(entry, rate, f"{path.name}, line {number}"))
-    return rows
-
-
-def _is_number(word: str) -> bool:
-    try:
-        return math.isfinite(float(word))
-    except ValueError:
-        return False

@@ -1,10 +1,11 @@
-"""Spans of a recording in which nobody can say which label holds: where annotators leave one movement for the next."""
+"""What annotations tell beside labels: where none holds, and how often a movement happens within a stretch."""
 
 from __future__ import annotations
 
 from os import PathLike
 from pathlib import Path
 
+from leitmotion.io.annotation_table import cycles_of_table
 from leitmotion.io.containers import read_file
 from leitmotion.io.dataset_labels import Span, aca_intervals, block_changes, decoded, is_aca, is_blocks
 
@@ -50,3 +51,30 @@ def read_unlabelled(
     elif is_aca(text):
         spans = aca_intervals(text, rate, trial, path)
     return [(round(start), round(stop)) for start, stop in spans]
+
+
+def read_cycles(path: str | PathLike[str], *, trial: str | None = None) -> list[tuple[float, float, float]]:
+    """Read how often a movement happens within each stretch of a table, where it has a column ``cycles``.
+
+    Parameters
+    ----------
+    path : str or path
+        Any file that :func:`read_annotations` takes; only a table tells.
+    trial : str, optional
+        As for :func:`read_annotations`.
+
+    Returns
+    -------
+    list of (float, float, float)
+        For each stretch the count, the least and the most that a person may count (columns ``least`` and ``most``); NaN
+        where nobody counted. Empty of any other file.
+
+    Raises
+    ------
+    FormatError
+        When the file is missing, or something else than a number stands there.
+    """
+    path, content = read_file(Path(path))
+    if path.suffix.lower() not in (".csv", ".tsv"):
+        return []
+    return cycles_of_table(decoded(content), path, trial)

@@ -1,0 +1,96 @@
+"""``leitmotion evaluate``: the figures for a person and for a program, and what does not fit in one sentence."""
+
+import csv
+import json
+from pathlib import Path
+
+import pytest
+
+from cli.conftest import Run
+from cli.json_schema import faults
+from cli.test_contract import schema  # noqa: F401
+
+LABELS = "start_s,stop_s,label,cycles\n0.5,6,jump,4\n"
+
+
+@pytest.fixture
+def judged(run: Run, made: Path) -> Run:
+    Path("labels.csv").write_text(LABELS, encoding="utf-8")
+    run("patterns", made / "jacks.bvh", "-o", "found.json")
+    return run
+
+
+def test_a_person_reads_a_sentence_and_a_table(judged):
+    told = judged("evaluate", "patterns", "labels.csv", "found.json")
+    assert told.exit_code == 0
+    assert "pairs wrong, 0 of 1 recurring actions missed." in told.stdout
+    for name in ("type I error", "F1", "u/(U-u+v)", "counts"):
+        assert name in told.stdout
+
+
+def test_a_program_reads_a_document_of_the_contract(judged, schema):  # noqa: F811
+    told = judged("evaluate", "patterns", "labels.csv", "found.json", "--json", "-o", "scores.json")
+    document = json.loads(told.stdout)
+    assert faults(document, schema) == []
+    assert json.loads(Path("scores.json").read_text(encoding="utf-8")) == document
+    assert [source["path"] for source in document["source"]] == ["labels.csv", "found.json"]
+    assert document["result"]["metrics"]["type_two"] == {"value": 0.0, "low": None, "high": None}
+    assert document["result"]["recordings"][0]["runs"][0]["cycles"] == 4
+
+
+def test_several_answers_are_judged_together_with_intervals(run, made, schema):  # noqa: F811
+    Path("truth").mkdir()
+    for name in ("jacks", "once"):
+        Path(f"truth/{name}.csv").write_text(LABELS.replace("6", "3.7"), encoding="utf-8")
+    run("patterns", made / "jacks.bvh", made / "once.bvh", "-o", "found.json")
+    told = run("evaluate", "patterns", "truth", "found.json", "--json", "-o", "scores.csv")
+    document = json.loads(told.stdout)
+    assert faults(document, schema) == []
+    assert len(document["result"]["recordings"]) == 2
+    assert document["result"]["metrics"]["type_two"]["low"] is not None
+    with open("scores.csv", encoding="utf-8", newline="") as file:
+        rows = {row["measure"]: row for row in csv.DictReader(file)}
+    assert float(rows["type_two"]["value"]) == document["result"]["metrics"]["type_two"]["value"]
+    assert "95 % interval" in run("evaluate", "patterns", "truth", "found.json").stdout
+
+
+@pytest.mark.parametrize(
+    ("truth", "found", "message"),
+    [
+        ("nothing.csv", "found.json", "There is no file nothing.csv."),
+        ("labels.csv", "nothing.json", "There is no file nothing.json."),
+        ("labels.csv", "labels.txt", "expected the answer of a search for patterns"),
+        ("labels.csv", "found.eaf", "does not tell the frame rate"),
+        ("long.csv", "found.json", "long.csv reaches to 90.00 s, but the recording lasts"),
+        ("folder", "found.json", "holds 0 files that may be the truth about"),
+        ("words.txt", "found.json", "words.txt, line 1: expected the columns"),
+    ],
+)
+def test_what_does_not_fit_is_told_in_one_sentence(judged, made, schema, truth, found, message):  # noqa: F811
+    Path("folder").mkdir()
+    Path("long.csv").write_text("start_s,stop_s,label\n0,90,walk\n", encoding="utf-8")
+    Path("labels.txt").write_text("no answer", encoding="utf-8")
+    Path("words.txt").write_text("no labels", encoding="utf-8")
+    judged("patterns", made / "jacks.bvh", "-o", "found.eaf")
+    told = judged("evaluate", "patterns", truth, found)
+    assert told.exit_code == 1
+    assert told.stderr.startswith("Error: ")
+    assert message in told.stderr
+    document = json.loads(judged("evaluate", "patterns", truth, found, "--json").stdout)
+    assert faults(document, schema) == []
+    assert message in document["error"]["message"]
+
+
+def test_wrong_usage(judged):
+    assert judged("evaluate", "dance", "labels.csv", "found.json").exit_code == 2
+    assert judged("evaluate", "patterns", "labels.csv").exit_code == 2
+    assert judged("evaluate", "patterns", "labels.csv", "found.json", "-o", "found.json").exit_code == 2
+    assert judged("evaluate", "patterns", "labels.csv", "found.json", "-o", "scores.html").exit_code == 2
+
+
+def test_what_is_not_known_and_what_lies_beyond_the_truth_is_told(judged):
+    Path("short.csv").write_text("start_s,stop_s,label\n0.5,3.8,jump\n", encoding="utf-8")
+    told = judged("evaluate", "patterns", "short.csv", "found.json")
+    assert "whether jump recurs within its one run is not known" in told.stderr
+    assert "The truth ends at 3.80 s of" in told.stderr
+    assert judged("evaluate", "patterns", "short.csv", "found.json", "-q").stderr == ""
