@@ -111,6 +111,14 @@ def judged(kind: str, split: str, which: str) -> list[Row]:
         inner = f"{whole.inner_border_error_s:.2f} s, median {np.median(whole.inner_errors_s):.2f} s"
         how = f"{len(whole.inner_errors_s)} borders between repetitions, to the nearest border found"
         table.append(("Borders within runs, error", inner, how))
+        equal = pool([held["equal division"] for held in answers.values()])
+        table.append(
+            (
+                "The same, cheap answer",
+                f"{equal.inner_border_error_s:.2f} s, median {np.median(equal.inner_errors_s):.2f} s",
+                f"true extent and true count, divided equally; {len(equal.inner_errors_s)} borders",
+            )
+        )
     return table
 
 
@@ -138,6 +146,7 @@ def scores(split: str) -> dict[str, dict[str, PatternScores]]:
             "one period": cheap.one_period(recording),
             "random": cheap.at_random(recording, found),
             "everything": cheap.everything(recording),
+            "equal division": cheap.equally(truth),
         }
         kind = "" if name.startswith("joined/") else "real/"
         held[kind + name] = {which: evaluate_patterns(truth, answer) for which, answer in answers.items()}
@@ -222,20 +231,27 @@ def _said(measure: str, value: float) -> str:
 
 
 def cases(split: str, wanted: tuple[str, ...] = (), search: Search = default) -> None:
-    """Print what is wrong, recording by recording, and the figures of all."""
+    """Print what is wrong, recording by recording, the figures of all, and which are worst."""
     began = time.process_time()
-    held: dict[str, list[PatternScores]] = {"real": [], "joined": []}
+    held: dict[str, PatternScores] = {}
     for name, recording, truth in material(split):
         if wanted and not name.startswith(wanted):
             continue
         found = search(recording)
-        score = evaluate_patterns(truth, found)
-        held["joined" if name.startswith("joined/") else "real"].append(score)
-        print("\n".join(told(name, truth, found, score)), flush=True)
-    for kind, some in held.items():
+        held[name] = evaluate_patterns(truth, found)
+        print("\n".join(told(name, truth, found, held[name])), flush=True)
+    for kind in ("real", "joined"):
+        some = [score for name, score in held.items() if name.startswith("joined/") == (kind == "joined")]
         if some:
             print(f"{kind}, {split}: {summary(some)}")
+    worst = sorted(held, key=lambda name: _badness(held[name]))[-10:]
+    print(f"worst, last the worst of all: {', '.join(name for name in worst if _badness(held[name]) > 0)}")
     print(f"{time.process_time() - began:.0f} s CPU")
+
+
+def _badness(score: PatternScores) -> float:
+    """Shares of what is wrong and of what is missed, added."""
+    return float(np.nansum([score.type_one, score.type_two, 1 - score.f1]))
 
 
 def summary(some: Sequence[PatternScores]) -> str:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from leitmotion import body, features
-from leitmotion.evaluation import FoundPatterns
+from leitmotion.evaluation import FoundPatterns, PatternTruth
 from leitmotion.motion import Motion, Segmentation, Trajectories
 
 SHORTEST = 0.5
@@ -54,6 +54,19 @@ def at_random(recording: Motion | Trajectories, found: FoundPatterns, seed: int 
         occurrences.replace(starts=spans[:, 0], stops=spans[:, 1]),
         np.concatenate((moved(pairs[:, :2]), moved(pairs[:, 2:])), axis=1),
     )
+
+
+def equally(truth: PatternTruth) -> FoundPatterns:
+    """Divide the true extent of each counted run equally into its true number of cycles."""
+    spans = [
+        (int(ends[k]), int(ends[k + 1]), label)
+        for (start, stop, label, _), (cycles, _, _) in zip(truth.runs, truth.cycles, strict=True)
+        if np.isfinite(cycles)
+        for ends in [np.linspace(start, stop, int(cycles) + 1).round()]
+        for k in range(int(cycles))
+    ]
+    starts, stops, labels = (list(each) for each in zip(*spans, strict=True)) if spans else ([], [], [])
+    return FoundPatterns(Segmentation(starts, stops, tuple(labels), rate=truth.rate))
 
 
 def _cut(frames: int, rate: float, every: int) -> FoundPatterns:
