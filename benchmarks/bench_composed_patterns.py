@@ -15,7 +15,7 @@ from pathlib import Path
 
 import numpy as np
 
-from bootstrap import of_mean
+from intervals import of_mean
 from leitmotion import body, datasets, discovery, features, io
 
 Row = tuple[str, str, str]

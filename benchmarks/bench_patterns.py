@@ -17,7 +17,7 @@ import numpy as np
 import cheap_patterns as cheap
 import leitmotion as lm
 import truths
-from bootstrap import of_mean
+from intervals import of_mean, of_share
 from joined import COUNTS, joined, names
 from leitmotion import body, evaluation, features
 from leitmotion.evaluating import found_patterns
@@ -166,12 +166,13 @@ def empty() -> list[Row]:
         if len(found.occurrences):
             found_in.append(f"{clip.recording.split('/')[-1]} ({clip.what})")
     ours = silent["default"]
+    low, high = of_share(sum(ours), len(ours))
     said = ", ".join(f"{which} {sum(silent[which])}" for which in ("one period", "everything"))
     return [
         (
             "Clips in which nothing recurs: nothing found",
-            f"{sum(ours)} of {len(ours)}; {_of_all(ours)}",
-            f"labels/empty_clips.csv; found in {'; '.join(found_in) or 'none'}",
+            f"{sum(ours)} of {len(ours)} ({low:.1%} to {high:.1%})",
+            f"labels/empty_clips.csv, 95 % by Wilson's score; found in {'; '.join(found_in) or 'none'}",
         ),
         ("The same, cheap answers", said, "as above"),
     ]
@@ -191,7 +192,7 @@ def counted() -> list[Row]:
             every = cheap.period(postures.values[run.start : run.stop], recording.rate)
             plain.append(round((run.stop - run.start) / every) if every else 1)
             seconds.append(round((run.stop - run.start) / recording.rate))
-            if abs(run.found - run.cycles) > 1:
+            if run.found != run.cycles:
                 off.append(f"{name.split('/')[-1]} {run.label} {run.found}, seen {run.cycles:g}")
     cycles = np.array([run.cycles for run in runs])
     found = np.array([run.found for run in runs])
@@ -201,11 +202,12 @@ def counted() -> list[Row]:
         return f"{np.count_nonzero(error == 0)} exact, {np.count_nonzero(error <= 1)} within one"
 
     within = sum(run.within for run in runs)
+    low, high = of_share(int(np.count_nonzero(np.abs(found - cycles) <= 1)), len(runs))
     return [
         (
             f"Cycles of {len(runs)} counted runs",
-            f"{near(found)}, {within} that a person may count; within one {_of_all(np.abs(found - cycles) <= 1)}",
-            f"labels/counted_runs.csv, the whole recording searched; off by more: {'; '.join(off) or 'none'}",
+            f"{near(found)} ({low:.1%} to {high:.1%}), {within} that a person may count",
+            f"labels/counted_runs.csv, the whole recording searched; not exact: {'; '.join(off) or 'none'}",
         ),
         (
             "The same, cheap answers",
