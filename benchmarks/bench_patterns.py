@@ -1,7 +1,8 @@
 """Patterns, by default: how good the answer is on recordings of people.
 
 ``python benchmarks/bench_patterns.py cases [fit|report|both] [NAME...]`` tells what is wrong in each recording; fit is
-what a method may be fitted on, and the default. A name is the beginning of one, such as ``joined/hdm05-bd``.
+what a method may be fitted on, and the default. A name is the beginning of one, such as ``real`` or
+``joined/hdm05-bd``.
 """
 
 from __future__ import annotations
@@ -55,7 +56,7 @@ def default(recording: lm.Motion) -> FoundPatterns:
 def material(split: str) -> Iterator[tuple[str, lm.Motion, PatternTruth]]:
     """Give the recordings whose truth is known, real ones first: name, recording, truth."""
     for name in truths.FIT if split == "fit" else truths.REPORT:
-        yield name, lm.read(locate(name)), truths.annotated(name)
+        yield f"real/{name}", lm.read(locate(name)), truths.annotated(name)
     for name in names(split):
         made = joined(name)
         yield f"joined/{name}", made.motion, made.truth
@@ -108,6 +109,14 @@ def judged(kind: str, split: str, which: str) -> list[Row]:
         )
     )
     if whole.inner_errors_s:
+        strict = pool([held["strict"] for held in answers.values()])
+        table.append(
+            (
+                "Type I and type II error, strictly",
+                f"{strict.type_one:.1%}, {strict.type_two:.1%}",
+                "blends between two repetitions of one move carry no label, either",
+            )
+        )
         inner = f"{whole.inner_border_error_s:.2f} s, median {np.median(whole.inner_errors_s):.2f} s"
         how = f"{len(whole.inner_errors_s)} borders between repetitions, to the nearest border found"
         table.append(("Borders within runs, error", inner, how))
@@ -148,9 +157,17 @@ def scores(split: str) -> dict[str, dict[str, PatternScores]]:
             "everything": cheap.everything(recording),
             "equal division": cheap.equally(truth),
         }
-        kind = "" if name.startswith("joined/") else "real/"
-        held[kind + name] = {which: evaluate_patterns(truth, answer) for which, answer in answers.items()}
+        held[name] = {which: evaluate_patterns(truth, answer) for which, answer in answers.items()}
+        held[name]["strict"] = evaluate_patterns(_strict(truth), found)
     return held
+
+
+def _strict(truth: PatternTruth) -> PatternTruth:
+    """Take the label away from what lies between two repetitions of one move as well."""
+    known = truth.repetitions
+    if known is None:
+        return truth
+    return truth.replace(unlabelled=np.stack((known.stops[:-1], known.starts[1:]), axis=1))
 
 
 def empty() -> list[Row]:
@@ -242,8 +259,8 @@ def cases(split: str, wanted: tuple[str, ...] = (), search: Search = default) ->
         found = search(recording)
         held[name] = evaluate_patterns(truth, found)
         print("\n".join(told(name, truth, found, held[name])), flush=True)
-    for kind in ("real", "joined"):
-        some = [score for name, score in held.items() if name.startswith("joined/") == (kind == "joined")]
+    for kind in ("real", "joined", *(f"joined/{actor}" for actor in COUNTS[split])):
+        some = [score for name, score in held.items() if name.startswith(f"{kind}/")]
         if some:
             print(f"{kind}, {split}: {summary(some)}")
     worst = sorted(held, key=lambda name: _badness(held[name]))[-10:]
