@@ -167,7 +167,7 @@ def measure_all(
     list of Stripe or None
         S of them.
     """
-    from leitmotion.discovery._kernels import measure_paths
+    from leitmotion.discovery._path_kernels import measure_paths
 
     offsets = np.concatenate(([0], np.cumsum(lengths)))
     kept = np.zeros((len(lengths), 2), np.int64)

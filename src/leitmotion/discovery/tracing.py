@@ -24,7 +24,7 @@ from leitmotion.similarity import Distances
 BLOCK = 3  # moments whose distances are bounded at once
 CHUNK = 192  # rows aligned in one call: a multiple of BLOCK
 REST_S = 60.0  # how long a rest may be whose end is still the same moment as its beginning
-LIVE = 1_200_000_000  # cells, a byte each
+LIVE = 600_000_000  # cells, a byte each
 POINTS = 30_000_000  # of all paths together
 NEAR_S = 60.0  # paths nearer to the diagonal are followed first
 STILL_GAIN = -0.1
@@ -164,7 +164,7 @@ def _nearer(horizon: int, reached: int, moments: int) -> int:
 
 def _follow(live: Live, rate: float, shortest: int) -> tuple[np.ndarray, np.ndarray, int]:
     """Follow paths back from their ends, near ones first and then by their gain: points, lengths, ends left out."""
-    from leitmotion.discovery._kernels import walk_back
+    from leitmotion.discovery._path_kernels import walk_back
 
     far = live.columns - live.rows > NEAR_S * rate
     order = np.lexsort((-live.gains, far))

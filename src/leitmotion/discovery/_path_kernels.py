@@ -1,0 +1,140 @@
+# mypy: allow-untyped-defs
+"""Loops along the paths of an alignment. Plain arrays and numbers in, plain arrays out; nothing is checked here."""
+
+import numpy as np
+from numba import njit
+
+from leitmotion.discovery._kernels import FLAT, NONE, START, STEEP
+from leitmotion.similarity._kernels import distances_to
+
+
+@njit(cache=True, nogil=True)
+def _segment(row_offsets, seg_start, i, j):
+    """Last segment of row i that begins at or before column j, or the one before the row's first."""
+    low, high = row_offsets[i], row_offsets[i + 1]
+    while low < high:
+        middle = (low + high) // 2
+        if seg_start[middle] <= j:
+            low = middle + 1
+        else:
+            high = middle
+    return low - 1
+
+
+@njit(cache=True, nogil=True)
+def _place(row_offsets, seg_start, seg_at, i, j):
+    """Where the step into a cell stands, or -1."""
+    k = _segment(row_offsets, seg_start, i, j)
+    if k < row_offsets[i]:
+        return -1
+    at = seg_at[k] + j - seg_start[k]
+    return at if at < seg_at[k + 1] else -1
+
+
+@njit(cache=True, nogil=True)
+def _close(steps, row_offsets, seg_start, seg_at, i, first, stop):
+    """Take the steps away from columns [first, stop) of row i."""
+    k = max(_segment(row_offsets, seg_start, i, first), row_offsets[i])
+    while k < row_offsets[i + 1] and seg_start[k] < stop:
+        length = seg_at[k + 1] - seg_at[k]
+        for j in range(max(first, seg_start[k]), min(stop, seg_start[k] + length)):
+            steps[seg_at[k] + j - seg_start[k]] = NONE
+        k += 1
+
+
+@njit(cache=True, nogil=True)
+def walk_back(steps, row_offsets, seg_start, seg_at, rows, columns, width, shortest, k0, k1, path):
+    """Follow the steps back from ends k0 to k1 in turn and close a corridor of `width` moments around each path.
+
+    A closed cell has no step any more, so that a later path stops where an earlier one ran. Returns the paths of at
+    least `shortest` moments in both directions, one after another (M, 2), and the length of each.
+    """
+    N = row_offsets.size - 1
+    points = np.empty((4096, 2), np.int32)
+    lengths = [0]
+    total = 0
+    for k in range(k0, k1):
+        i, j = rows[k], columns[k]
+        n = 0
+        while i >= 0 and j >= 0:
+            at = _place(row_offsets, seg_start, seg_at, i, j)
+            if at < 0 or steps[at] == NONE:
+                break
+            path[n, 0], path[n, 1] = i, j
+            n += 1
+            step = steps[at]
+            if step == START:
+                break
+            i -= 2 if step == STEEP else 1
+            j -= 2 if step == FLAT else 1
+        if n == 0:
+            continue
+        near, far = n - 1, n - 1  # points of the path, first to last in time, within `width` of a row
+        for row in range(max(0, path[n - 1, 0] - width), min(N, path[0, 0] + width + 1)):
+            while path[near, 0] < row - width:
+                near -= 1
+            while far > 0 and path[far - 1, 0] <= row + width:
+                far -= 1
+            _close(
+                steps, row_offsets, seg_start, seg_at, row, path[near, 1] - width, path[far, 1] + width + 1
+            )
+        if min(path[0, 0] - path[n - 1, 0], path[0, 1] - path[n - 1, 1]) + 1 < shortest:
+            continue
+        while total + n > len(points):
+            points = np.concatenate((points, np.empty_like(points)))
+        for m in range(n):
+            points[total + m, 0], points[total + m, 1] = path[n - 1 - m, 0], path[n - 1 - m, 1]
+        total += n
+        lengths.append(n)
+    return points[:total], np.array(lengths[1:], np.int64)
+
+
+@njit(cache=True, nogil=True)
+def measure_paths(a, width, theta, still, moving, points, offsets, sampled, kept, cost, background, gained):
+    """Trim each path to where it is alike and in motion at both ends, and measure it.
+
+    Fills kept (S, 2), the points that are left, none where nothing is; cost, background and gained (S,).
+    """
+    C = np.empty(4 * sampled, np.float32)
+    block = np.empty(16 * sampled * sampled, np.float32)
+    one = np.empty(1, np.float32)
+    longest = 0
+    for s in range(offsets.size - 1):
+        longest = max(longest, offsets[s + 1] - offsets[s])
+    d, gain = np.empty(longest), np.empty(longest)
+    for s in range(offsets.size - 1):
+        o = offsets[s]
+        n = offsets[s + 1] - o
+        begin, end = n, 0
+        for k in range(n):
+            i, j = points[o + k, 0], points[o + k, 1]
+            distances_to(a, i, j, j + 1, 1, width, one)
+            d[k] = one[0]
+            gain[k] = 1.0 - d[k] / min(theta[i], theta[j])
+            if still[i] or still[j]:
+                gain[k] = -0.1
+            if gain[k] > 0 and moving[i] and moving[j]:
+                begin, end = min(begin, k), k + 1
+        kept[s, 0], kept[s, 1] = begin, max(begin, end)
+        if begin >= end:
+            continue
+        total, seen, sum_of_gains = 0.0, 0, 0.0
+        for k in range(begin, end):
+            if d[k] == d[k]:
+                total += d[k]
+                seen += 1
+                sum_of_gains += gain[k] if gain[k] == gain[k] else 0.0
+            elif still[points[o + k, 0]] or still[points[o + k, 1]]:
+                sum_of_gains += gain[k]
+        cost[s], gained[s] = total / seen, sum_of_gains
+        i0, i1 = points[o + begin, 0], points[o + end - 1, 0] + 1
+        j0, j1 = points[o + begin, 1], points[o + end - 1, 1] + 1
+        every = max(1, (end - begin) // sampled)
+        seen = 0
+        for i in range(i0, i1, every):
+            distances_to(a, i, j0, j1, every, width, C)
+            for k in range((j1 - j0 + every - 1) // every):
+                if C[k] == C[k]:
+                    block[seen] = C[k]
+                    seen += 1
+        background[s] = np.median(block[:seen])

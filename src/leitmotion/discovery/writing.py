@@ -1,0 +1,255 @@
+"""Writing: themes and returns as nouns, in frames of the recording and in its own unit."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import NamedTuple
+
+import numpy as np
+
+from leitmotion.discovery.pattern import Pattern, PatternPair, cut_at_occurrences, letter
+from leitmotion.discovery.returns import Return
+from leitmotion.discovery.stripes import Likeness, Stripe, measure, part
+from leitmotion.discovery.themes import Theme
+from leitmotion.features.sequence import FeatureSequence
+from leitmotion.motion.segmentation import Segmentation
+from leitmotion.similarity import Distances, align
+
+COMPARED = 60  # pairs of occurrences that are aligned to judge a pattern
+PAIRS = 10_000  # of one pattern that are written down, those of occurrences that follow soonest first
+STRIPES = 2_000  # of one pattern that are written down, those that gain most first
+
+
+class Found(NamedTuple):
+    """A pattern with what shows it."""
+
+    pattern: Pattern
+    stripes: Sequence[Stripe]
+    agreement: float
+    """Share of the pairs of occurrences that are alike."""
+
+
+class Written(NamedTuple):
+    """What is told of all patterns."""
+
+    patterns: tuple[Pattern, ...]
+    pairs: tuple[PatternPair, ...]
+    stripes: tuple[PatternPair, ...]
+    limits: dict[str, object]
+    """``pairs_left_out`` and ``stripes_left_out``, where a pattern has more than are written down."""
+
+
+class Scribe:
+    """Writes themes and returns down as nouns, in frames and in the recording's own unit."""
+
+    def __init__(
+        self, features: FeatureSequence, distances: Distances, alike: Likeness, max_distance: float
+    ) -> None:
+        self.ratio = features.rate / distances.features.rate
+        self.frames = len(features)
+        self.rate = features.rate
+        self.scale = features.scale
+        self.unit = features.unit
+        self.distances = distances
+        self.alike = alike
+        self.max_distance = max_distance
+
+    def cyclic(self, theme: Theme) -> Found:
+        """A theme: one occurrence a cycle."""
+        cycles = [
+            (a, b) for run in theme.runs for a, b in zip(run.borders[:-1], run.borders[1:], strict=True)
+        ]
+        extents = [(run.start, run.stop) for run in theme.runs]
+        shown = self._within(theme)
+        return self._describe("cyclic", cycles, extents, shown)
+
+    def acyclic(self, found: Return) -> Found:
+        """A return: one occurrence a stretch."""
+        return self._describe("acyclic", found.spans, found.spans, found.stripes)
+
+    def held(self, spans: list[tuple[float, float]]) -> Found:
+        """A posture that is held at several times."""
+        found = self._describe("acyclic", spans, spans, [])
+        reason = "a posture that is held again, without movement"
+        return found._replace(pattern=found.pattern.replace(reason=reason), agreement=1.0)
+
+    def write(self, found: Sequence[Found]) -> Written:
+        """Name what was found by letters, the pattern that fills most time first, and write its pairs down."""
+        patterns: list[Pattern] = []
+        pairs: list[PatternPair] = []
+        stripes: list[PatternPair] = []
+        pairs_left = stripes_left = 0
+        for k, item in enumerate(sorted(found, key=lambda item: -_filled(item.pattern))):
+            pattern = _named(item.pattern, letter(k))
+            between = self._between_occurrences(pattern.occurrences, item.stripes)
+            kept = sorted(between, key=lambda joined: joined[1] - joined[0])[:PAIRS]  # neighbours first
+            kept.sort()
+            stops = pattern.occurrences.stops[np.array(kept, np.int64).reshape(-1, 2)]
+            pairs += self._traced(pattern.id, [between[joined] for joined in kept], stops)
+            shown = item.stripes
+            if len(shown) > STRIPES:
+                shown = sorted(shown, key=lambda stripe: -stripe.gain)[:STRIPES]
+            stripes += self._traced(
+                pattern.id, [s.path for s in shown], np.full((len(shown), 2), self.frames)
+            )
+            patterns.append(pattern)
+            pairs_left += len(between) - len(kept)
+            stripes_left += len(item.stripes) - len(shown)
+        limits: dict[str, object] = {}
+        if pairs_left:
+            limits["pairs_left_out"] = pairs_left
+        if stripes_left:
+            limits["stripes_left_out"] = stripes_left
+        return Written(tuple(patterns), tuple(pairs), tuple(stripes), limits)
+
+    def _describe(
+        self,
+        kind: str,
+        occurrences: Sequence[tuple[float, float]],
+        extents: Sequence[tuple[float, float]],
+        stripes: Sequence[Stripe],
+    ) -> Found:
+        costs, pairs = self._compare(occurrences)
+        scores = [
+            float(
+                np.clip(1.0 - np.median(costs[(pairs == k).any(axis=1)]) / (2 * self.max_distance), 0.0, 1.0)
+            )
+            for k in range(len(occurrences))
+        ]
+        agreement = float(np.mean(costs < self.max_distance))
+        contrast = float(np.mean([s.contrast for s in stripes])) if stripes else 0.0
+        clarity = float(np.clip(contrast / 0.75, 0.0, 1.0)) if stripes else agreement
+        spans = self._segmentation(occurrences, np.array(scores))
+        pattern = Pattern(
+            id="?",
+            kind=kind,
+            occurrences=spans,
+            stretches=self._segmentation(extents, np.full(len(extents), np.nan)),
+            period_s=float(np.median(spans.stops - spans.starts)) / self.rate,
+            cost=float(np.mean(costs)) * self.scale,
+            confidence=round(float(np.sqrt(clarity * agreement)) * _evidence(len(stripes)), 3),
+            reason=self._reason(kind, costs, contrast, agreement),
+        )
+        return Found(pattern, stripes, agreement)
+
+    def _between_occurrences(
+        self, occurrences: Segmentation, stripes: Sequence[Stripe]
+    ) -> dict[tuple[int, int], np.ndarray]:
+        """What the stripes say of each two occurrences; of several pieces the longest."""
+        pieces: dict[tuple[int, int], np.ndarray] = {}
+        for stripe in stripes:
+            frames = np.round(stripe.path * self.ratio).astype(np.int64)
+            for joined, piece in cut_at_occurrences(frames, occurrences).items():
+                if piece.stop - piece.start > len(pieces.get(joined, ())):
+                    pieces[joined] = stripe.path[piece]
+        return pieces
+
+    def _traced(self, name: str, paths: Sequence[np.ndarray], stops: np.ndarray) -> list[PatternPair]:
+        """Paths in frames: one point a moment of the working rate, and the last frame of the last moment."""
+        if not paths:
+            return []
+        lengths = np.array([len(path) for path in paths])
+        apart = self.distances.along(np.concatenate(paths)).astype(np.float64)
+        firsts = np.cumsum(lengths) - lengths
+        seen = np.add.reduceat(np.isfinite(apart).astype(np.int64), firsts)
+        costs = np.add.reduceat(np.nan_to_num(apart), firsts) / seen * self.scale
+        written = []
+        for path, stop, cost in zip(paths, stops, costs.tolist(), strict=True):
+            last = np.maximum((path[-1:] + 1) * self.ratio - 1, path[-1:] * self.ratio)
+            frames = np.round(np.concatenate((path * self.ratio, last))).astype(np.int64)
+            written.append(PatternPair(name, np.minimum(frames, stop - 1), cost))
+        return written
+
+    def _compare(self, occurrences: Sequence[tuple[float, float]]) -> tuple[np.ndarray, np.ndarray]:
+        """Align pairs of occurrences, neighbours first: mean distances (K,), and which pairs (K, 2)."""
+        pairs = _compared(len(occurrences))
+        costs = []
+        for i, j in pairs:
+            rows, columns = (_moments(occurrences[k], len(self.distances)) for k in (i, j))
+            costs.append(self._cost(self.distances.between(rows, columns)))
+        return np.array(costs), pairs
+
+    def _cost(self, apart: np.ndarray) -> float:
+        """Mean distance of two occurrences laid over one another; moments that were not seen are left out."""
+        seen = ~np.isnan(apart)
+        if not seen.any():
+            return self.max_distance
+        apart = apart[np.ix_(seen.any(axis=1), seen.any(axis=0))]
+        return float(align(np.where(np.isnan(apart), self.max_distance, apart)).cost)
+
+    def _within(self, theme: Theme) -> list[Stripe]:
+        """The parts of a theme's stripes that lie in its stretches."""
+        inside = theme.holds(len(self.distances))
+        paths = [part(s, inside[s.path[:, 0]] & inside[s.path[:, 1]]) for s in theme.stripes]
+        return [piece for piece in measure(paths, self.distances, self.alike) if piece is not None]
+
+    def _segmentation(self, spans: Sequence[tuple[float, float]], scores: np.ndarray) -> Segmentation:
+        borders = np.clip(np.round(np.array(spans) * self.ratio).astype(np.int64), 0, self.frames)
+        starts, stops = borders[:, 0], borders[:, 1]
+        stops[:-1] = np.minimum(stops[:-1], np.maximum(starts[1:], starts[:-1] + 1))
+        return Segmentation(starts, stops, ("",) * len(starts), scores, self.rate)
+
+    def _reason(self, kind: str, costs: np.ndarray, contrast: float, agreement: float) -> str:
+        what = "cycles" if kind == "cyclic" else "occurrences"
+        apart = f"{what} are {self._length(float(np.mean(costs)))} apart on average"
+        clear = f", {1 / (1 - contrast):.1f} times nearer than their surroundings" if 0 < contrast < 1 else ""
+        odd = f"; {1 - agreement:.0%} of the pairs are not alike" if agreement < 1 else ""
+        return apart + clear + odd
+
+    def _length(self, distance: float) -> str:
+        return length_in_words(distance, self.scale, self.unit)
+
+
+def length_in_words(distance: float, scale: float, unit: str) -> str:
+    """Distance in words that a body understands.
+
+    Parameters
+    ----------
+    distance : float
+        Body sizes.
+    scale : float
+        What one body size is in the recording's own unit.
+    unit : str
+        That unit.
+
+    Returns
+    -------
+    str
+        Centimetres where the recording has metres, else a share of the body size.
+    """
+    return f"{distance * scale * 100:.1f} cm" if unit == "m" else f"{distance:.1%} of the body size"
+
+
+def _evidence(stripes: int) -> float:
+    """One stripe may be chance, several hardly: 0.8 for one, 0.89 for two, towards 1."""
+    return max(stripes, 1) / (max(stripes, 1) + 0.25)
+
+
+def _moments(span: tuple[float, float], moments: int) -> range:
+    start = int(np.floor(span[0]))
+    return range(start, min(moments, max(start + 2, round(span[1]))))
+
+
+def _compared(count: int) -> np.ndarray:
+    """Which of so many occurrences are compared, (K, 2): all pairs, neighbours first, or some at even steps."""
+    total = count * (count - 1) // 2
+    order = np.arange(total)
+    if total > COMPARED:
+        rest = np.linspace(count - 1, total - 1, COMPARED - min(COMPARED // 2, count - 1)).astype(int)
+        order = np.concatenate((np.arange(count - 1), rest))
+    before = np.cumsum([0, *range(count - 1, 0, -1)])  # pairs that stand less far apart than 1, 2, ...
+    apart = np.searchsorted(before, order, side="right")
+    first = order - before[apart - 1]
+    return np.stack((first, first + apart), axis=1)
+
+
+def _named(pattern: Pattern, name: str) -> Pattern:
+    spans = {
+        what: value.replace(labels=(name,) * len(value))
+        for what, value in (("occurrences", pattern.occurrences), ("stretches", pattern.stretches))
+    }
+    return pattern.replace(id=name, **spans)
+
+
+def _filled(pattern: Pattern) -> int:
+    return int((pattern.stretches.stops - pattern.stretches.starts).sum())
