@@ -51,7 +51,7 @@ def rows() -> list[Row]:
     found = {case: _apart(case) for case in (*map(str, MINUTES), *ODD)}
     clips = postures_of_clips()
     seconds = sum(map(len, clips)) / RATE
-    how = f"joined from {len(clips)} clips of {seconds / 60:.1f} min in all, seed {SEED}, 120 Hz; a process of its own, "
+    how = f"joined from {len(clips)} clips of {seconds / 60:.1f} min in all, seed {SEED}, 120 Hz; its own process, "
     how += "kernels compiled before, once"
     table = []
     for minutes in MINUTES:

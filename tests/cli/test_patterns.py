@@ -45,6 +45,18 @@ def test_points_without_roles_say_that_they_were_compared_as_they_stand(run: Run
         assert "compared as they stand" in warning
 
 
+def test_stretches_that_were_not_compared_are_told(
+    run: Run, made: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    from leitmotion.discovery import tracing
+
+    monkeypatch.setattr(tracing, "LIVE", 4000)
+    told = json.loads(run("patterns", made / "jacks.bvh", "--json").stdout)
+    (warning,) = told["warnings"]
+    assert warning.startswith("So much recurs that only stretches within 0:0")
+    assert told["parameters"]["compared_within_s"] < told["source"][0]["seconds"]
+
+
 def test_several_inputs_are_told_apart_and_the_bad_one_is_a_sentence(run: Run, made: Path) -> None:
     told = run("patterns", made / "jacks.bvh", made / "missing.bvh", made / "once.bvh")
     assert told.exit_code == 1

@@ -54,7 +54,17 @@ def warnings_of(opened: Opened, found: Patterns) -> list[str]:
     """List what the person should know about a recording and about how it was compared."""
     from leitmotion.view.words import as_they_stand
 
-    return [*opened.warnings, *filter(None, [as_they_stand(found, opened.body)])]
+    return [*opened.warnings, *filter(None, [as_they_stand(found, opened.body), _not_compared(found)])]
+
+
+def _not_compared(found: Patterns) -> str:
+    """Tell that stretches far apart were not compared, where that was so."""
+    from leitmotion.view.counting import clock
+
+    within = found.parameters.get("compared_within_s")
+    if not isinstance(within, float):
+        return ""
+    return f"So much recurs that only stretches within {clock(within)} of one another were compared."
 
 
 def show_patterns(console: Console, found: Patterns, *, seconds: float, body: Body) -> None:

@@ -19,12 +19,11 @@ JOINED = 8  # columns: intervals nearer than this are looked at as one
 
 
 @njit(cache=True, nogil=True)
-def first_apart(a, width, theta, reach):
-    """First moment after each that is no longer like it, looking at most `reach` moments ahead, shape (N,)."""
+def first_apart(a, width, theta, reach, i0, i1, first):
+    """Fill first (N,) from i0 to i1: the first moment after each that is not like it, at most `reach` moments ahead."""
     N = a.shape[1]
-    first = np.empty(N, np.int32)
     C = np.empty(32, np.float32)
-    for i in range(N):
+    for i in range(i0, i1):
         stop = min(N, i + 1 + reach)
         j = i + 1
         while j < stop:
@@ -37,7 +36,6 @@ def first_apart(a, width, theta, reach):
             if k < n:
                 break
         first[i] = j
-    return first
 
 
 @njit(cache=True, nogil=True)

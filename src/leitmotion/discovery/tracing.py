@@ -17,7 +17,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from leitmotion.discovery.labour import ahead
+from leitmotion.discovery.labour import ahead, share_work
 from leitmotion.discovery.stripes import CORRIDOR_S, GAP_S, Likeness, Stripe, measure_all
 from leitmotion.similarity import Distances
 
@@ -113,7 +113,13 @@ def _align(
     rate = distances.features.rate
     theta = np.where(alike.still, np.float32(-1), alike.threshold)
     bounds = _kernels.block_bounds(a, width, theta, BLOCK)
-    first = _kernels.first_apart(a, width, alike.threshold, round(REST_S * rate))
+    first = np.empty(N, np.int32)
+    reach = round(REST_S * rate)
+
+    def look_ahead(rows: slice) -> None:
+        _kernels.first_apart(a, width, alike.threshold, reach, rows.start, rows.stop, first)
+
+    share_work(look_ahead, N, 4096)
     blocks = len(bounds[1])
     per_chunk = CHUNK // BLOCK
 
