@@ -162,13 +162,22 @@ def test_what_is_compared_has_a_name(session: lm.datasets.Session, tmp_path: Pat
     piece = session.motion[300:700]
     assert lm.find_patterns(piece, features="posture") == lm.find_patterns(piece)
     with pytest.raises(
-        lm.ParameterError, match=r"known for posture, not for velocity\. Say it with max_distance="
+        lm.ParameterError, match=r"never measured for marker_posture\. Say it with max_distance="
     ):
-        lm.find_patterns(piece, features="velocity")
+        lm.find_patterns(marker_file(), features="marker_posture")
     with pytest.raises(lm.ParameterError, match="Did you mean velocity"):
         lm.find_patterns(piece, features="velocities")
     with pytest.raises(lm.ParameterError, match="describes Trajectories, got Motion"):
         lm.find_patterns(piece, features="marker_posture", method="tang2008")
+    with pytest.raises(lm.ParameterError, match="must be one of equal, active, got 'heavy'"):
+        lm.find_patterns(piece, weights="heavy")
+    with pytest.raises(lm.ParameterError, match="max_distance must be a number"):
+        lm.find_patterns(piece, features="velocity", max_distance="far")
+    by_angles = lm.find_patterns(piece, features="joint_angles", weights="active", joints="left_*,pelvis")
+    assert by_angles.parameters["max_distance"] == lm.features.FEATURES["joint_angles"].alike["active"]
+    assert by_angles.parameters["weights"] == "active"
+    assert len(by_angles.parameters["features"]) == 5  # type: ignore[arg-type]
+    assert [p.cycles for p in by_angles.patterns] == [p.cycles for p in lm.find_patterns(piece).patterns]
     found = lm.find_patterns(piece, features="joint_rotations", max_distance=0.2, joints="left_*")
     assert found.parameters["feature"] == "joint_rotations"
     assert found.parameters["min_amplitude"] == pytest.approx(0.04)

@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from leitmotion.api import (
         Body,
         BodyMap,
+        Calibration,
         Converted,
         DataError,
         FormatError,
@@ -36,6 +37,7 @@ if TYPE_CHECKING:
         Segmentation,
         Skeleton,
         Trajectories,
+        calibrate,
         compose_session,
         convert,
         embody,
@@ -59,6 +61,7 @@ __version__ = "0.1.0"
 __all__ = [
     "Body",
     "BodyMap",
+    "Calibration",
     "Converted",
     "DataError",
     "FormatError",
@@ -76,6 +79,7 @@ __all__ = [
     "Segmentation",
     "Skeleton",
     "Trajectories",
+    "calibrate",
     "compose_session",
     "convert",
     "embody",

@@ -6,24 +6,24 @@ A recording goes one way: :func:`read` it, ask something of it (:func:`info`, :f
 
 from __future__ import annotations
 
-import difflib
-import fnmatch
 import glob
 import math
 import re
 from collections.abc import Mapping, Sequence
+from numbers import Real
 from pathlib import Path
 from typing import Any
 
-from leitmotion.body import ROLES, Body, BodyMap, embody, find_roles, map_of
+from leitmotion.body import Body, BodyMap, embody, find_roles, map_of
 from leitmotion.body import swap_sides as exchanged
+from leitmotion.calibration import Calibration, calibrate
 from leitmotion.conversion import Converted, convert
 from leitmotion.datasets import compose_session
+from leitmotion.describing import Recording, Roles, as_body, described, of_body, weighed
 from leitmotion.discovery import Pattern, Patterns, Residual
 from leitmotion.evaluating import evaluate
 from leitmotion.evaluation import FoundPatterns, PatternScores, PatternTruth
-from leitmotion.features import FEATURES, FeatureSequence, extract
-from leitmotion.features.posture import choose_roles
+from leitmotion.features import FEATURES, FeatureSequence
 from leitmotion.inspection import Info, info
 from leitmotion.io import load, read, read_all, read_annotations, save, write, write_whole
 from leitmotion.motion import (
@@ -41,6 +41,7 @@ from leitmotion.repairs import Repaired, repair
 __all__ = [
     "Body",
     "BodyMap",
+    "Calibration",
     "Converted",
     "DataError",
     "FormatError",
@@ -58,6 +59,7 @@ __all__ = [
     "Segmentation",
     "Skeleton",
     "Trajectories",
+    "calibrate",
     "compose_session",
     "convert",
     "embody",
@@ -83,15 +85,13 @@ MOST_MOMENTS = 6000
 LONGEST_NAME = 200
 """Bytes of a page's default name at most; file systems take 255 with the ending."""
 
-Recording = Motion | Trajectories | Body
-Roles = BodyMap | Mapping[str, str | list[str]]
-
 
 def find_patterns(
     recording: Recording,
     *,
     method: str = "recurrence",
     features: str = "posture",
+    weights: str = "equal",
     joints: str | Sequence[str] | None = None,
     exclude: str | Sequence[str] | None = None,
     body_map: Roles | None = None,
@@ -109,11 +109,14 @@ def find_patterns(
         One person.
     method : {"recurrence", "tang2008"}
         How to search: by local alignment, without a parameter to set, or as paper P describes it.
-    features : {"posture", "velocity", "joint_rotations", "marker_posture"}
-        What of a frame is compared (:data:`leitmotion.features.FEATURES`). Posture, velocity and joint rotations are
-        invariant to place, yaw, body size and unit; marker posture, all markers as paper P has them (eq. 1), to place
-        and yaw. What counts as alike is known for posture alone: with others the method "recurrence" needs
-        ``max_distance``, in the values of the feature; ``min_amplitude`` is then a fifth of it, as it is for posture.
+    features : {"posture", "velocity", "joint_angles", "joint_rotations", "marker_posture"}
+        What of a frame is compared (:data:`leitmotion.features.FEATURES`). Posture, velocity, joint angles and joint
+        rotations are invariant to place, yaw, body size and unit; marker posture, all markers as paper P has them
+        (eq. 1), to place and yaw. What counts as alike was calibrated for each (:func:`calibrate`) but marker posture:
+        with that one the method "recurrence" needs ``max_distance``, in metres. Unless they are postures with equal
+        weights, ``min_amplitude`` is by default a fifth of it.
+    weights : {"equal", "active"}
+        Whether each joint counts alike, or the more the more it moves (:func:`leitmotion.features.active_weights`).
     joints : str or sequence of str, optional
         The roles to compare, with wildcards, in one text parted by commas: ``"left_*, head"``. By default those that
         every skeleton has.
@@ -149,8 +152,8 @@ def find_patterns(
     >>> [(pattern.id, pattern.cycles) for pattern in patterns.patterns]       # doctest: +SKIP
     """
     roles = _exchanged(recording, body_map) if swap_sides else body_map
-    described = _described(recording, features, joints, exclude, roles)
-    return _search(described, features, method=method, **options)
+    told = described(recording, features, joints=joints, exclude=exclude, body_map=roles)
+    return _search(told, features, method=method, weights=weights, **options)
 
 
 def search_residual(
@@ -203,7 +206,8 @@ def search_residual(
     name = str(patterns.parameters.get("feature", "posture"))
     compared: Any = patterns.parameters.get("features")
     joints = compared and [glob.escape(joint) for joint in compared]
-    return search(_described(recording, name, joints, None, roles), patterns, **options)
+    told = described(recording, name, joints=joints, body_map=roles)
+    return search(weighed(told, str(patterns.parameters.get("weights", "equal"))), patterns, **options)
 
 
 def report(
@@ -215,6 +219,7 @@ def report(
     patterns: Patterns | None = None,
     source: Mapping[str, object] | None = None,
     features: str | None = None,
+    weights: str | None = None,
     joints: str | Sequence[str] | None = None,
     exclude: str | Sequence[str] | None = None,
     body_map: Roles | None = None,
@@ -239,8 +244,8 @@ def report(
         What recurs in this recording; by default what :func:`find_patterns` finds.
     source : mapping, optional
         What the page tells about where the recording comes from: "path", "sha256" and the like.
-    features : str, optional
-        As for :func:`find_patterns`; by default those by which the given patterns were found, else posture.
+    features, weights : str, optional
+        As for :func:`find_patterns`; by default those by which the given patterns were found, else posture and equal.
     joints, exclude, body_map, swap_sides
         As for :func:`find_patterns`.
     force : bool
@@ -272,23 +277,25 @@ def report(
 
     if swap_sides:
         body_map = _exchanged(recording, body_map)
-    body = _body(recording, body_map)
+    body = as_body(recording, body_map)
     target = Path(path) if path is not None else Path(f"{_file_name(body.name)}.html")
     _check_page(target, force=force)
     _check_fits(body, patterns, labels)
     if patterns is not None and options:
         raise ParameterError(f"{min(options)!r} steers a search, but patterns= says what was found.")
-    name = features or (
-        str(patterns.parameters.get("feature", "posture")) if patterns is not None else "posture"
+    by = {} if patterns is None else patterns.parameters
+    name, weights = features or str(by.get("feature", "posture")), weights or str(by.get("weights", "equal"))
+    told = (
+        described(body, name, joints=joints, exclude=exclude)
+        if of_body(name)
+        else described(recording, name, joints=joints, exclude=exclude, body_map=body_map)
     )
-    of_body = name in FEATURES and FEATURES[name].takes is Body
-    described = _described(body if of_body else recording, name, joints, exclude, body_map)
-    found = _search(described, name, **options) if patterns is None else patterns
+    found = _search(told, name, weights=weights, **options) if patterns is None else patterns
     facts = {"name": body.name, "frames": len(body), "rate": body.rate, "seconds": len(body) / body.rate}
     page = report_page(
         body,
         found,
-        self_distance(_thinned(described)),
+        self_distance(_thinned(weighed(told, weights))),
         source=facts | dict(source or {}),
         labels=labels,
         labels_from=labels_from,
@@ -347,88 +354,30 @@ def _exchanged(recording: Recording, body_map: Roles | None) -> BodyMap:
     return exchanged(map_of(recording, body_map))
 
 
-def _body(recording: Recording, body_map: Roles | None) -> Body:
-    if isinstance(recording, Body):
-        return recording
-    if not isinstance(recording, Motion | Trajectories):
-        raise ParameterError(
-            f"A recording was expected, got {type(recording).__name__}.",
-            remedy='Read the file first: leitmotion.read("dance.bvh").',
-        )
-    return embody(recording, body_map)
-
-
-def _described(
-    recording: Recording,
+def _search(
+    features: FeatureSequence,
     name: str,
-    joints: str | Sequence[str] | None,
-    exclude: str | Sequence[str] | None,
-    body_map: Roles | None,
-) -> FeatureSequence:
-    """Compute the features of that name, of the joints that were asked for."""
-    if name not in FEATURES or FEATURES[name].takes is Body:
-        body = _body(recording, body_map)
-        roles = _chosen(body.roles, choose_roles(body, None), joints, exclude)
-        return extract(name, body, roles=roles)
-    whole = extract(name, recording, body_map)
-    kept = _chosen(whole.names, whole.names, joints, exclude)
-    if kept == whole.names:
-        return whole
-    values = whole.values.reshape(len(whole), -1, whole.width)[:, [whole.names.index(one) for one in kept]]
-    return whole.replace(values=values.reshape(len(whole), -1), names=kept)
-
-
-def _search(features: FeatureSequence, name: str, *, method: str = "recurrence", **options: Any) -> Patterns:
-    """Search, and note by what; the default distance of recurrence is one of postures in body sizes."""
+    *,
+    method: str = "recurrence",
+    weights: str = "equal",
+    **options: Any,
+) -> Patterns:
+    """Search, and note by what; the defaults of recurrence itself are for postures with equal weights."""
     from leitmotion.discovery import find_patterns as search
 
-    if method == "recurrence" and name != "posture":
-        if "max_distance" not in options:
+    told = weighed(features, weights)
+    if method == "recurrence" and (name, weights) != ("posture", "equal"):
+        alike = options.get("max_distance", FEATURES[name].alike.get(weights))
+        if alike is None:
             raise ParameterError(
-                f"What counts as alike is known for posture, not for {name}.",
-                remedy="Say it with max_distance=, in the values of the features.",
+                f"What counts as alike was never measured for {name}.",
+                remedy="Say it with max_distance=, in the values of the features; calibrate tells it from labels.",
             )
-        options = {"min_amplitude": options["max_distance"] / 5} | options
-    found = search(features, method=method, **options)
-    by = {"feature": name, "invariant_to": list(features.invariant_to)}
+        if isinstance(alike, Real):
+            options = {"max_distance": alike, "min_amplitude": float(alike) / 5} | options
+    found = search(told, method=method, **options)
+    by = {"feature": name, "weights": weights, "invariant_to": list(features.invariant_to)}
     return found.replace(parameters=found.parameters | by)
-
-
-def _chosen(
-    known: Sequence[str],
-    usual: tuple[str, ...],
-    joints: str | Sequence[str] | None,
-    exclude: str | Sequence[str] | None,
-) -> tuple[str, ...]:
-    wanted = usual if joints is None else _matching(joints, known)
-    unwanted = _matching(exclude, (*known, *ROLES)) if exclude else ()
-    roles = tuple(role for role in wanted if role not in unwanted)
-    if not roles:
-        raise ParameterError("No joint is left to compare.", remedy="Exclude fewer.")
-    return roles
-
-
-def _matching(names: str | Sequence[str], known: Sequence[str]) -> tuple[str, ...]:
-    """Those of the known roles that the names mean, wildcards allowed, in the order in which they are known."""
-    if not isinstance(names, str | Sequence) or not all(isinstance(name, str) for name in names):
-        raise ParameterError(
-            f"Joints are given by their names, got {names!r}.", remedy='Give ["head", "left_*"].'
-        )
-    listed = (names,) if isinstance(names, str) else names
-    given = [name.strip() for some in listed for name in some.split(",") if name.strip()]
-    if not given:
-        raise ParameterError(
-            "No joint is named.", remedy="Leave joints out to compare those that every body has."
-        )
-    for name in given:
-        if not any(fnmatch.fnmatchcase(role, name) for role in known):
-            near = difflib.get_close_matches(name, known, n=1)
-            hint = f"Did you mean {near[0]}? " if near else ""
-            raise ParameterError(
-                f"The body has no joint {name!r} to compare.",
-                remedy=f"{hint}It has {', '.join(dict.fromkeys(known))}.",
-            )
-    return tuple(role for role in known if any(fnmatch.fnmatchcase(role, name) for name in given))
 
 
 def _thinned(features: FeatureSequence) -> FeatureSequence:

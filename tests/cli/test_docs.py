@@ -24,6 +24,12 @@ def test_command(run: Run, made: Path, command: str) -> None:
     Path("labels.csv").write_text("start_s,stop_s,label\n1,2,jump\n", encoding="utf-8")
     if "found.json" in shlex.split(command)[1:4]:
         run("patterns", "dance.bvh", "-o", "found.json")
+    rows = [f"{k},{k + apart},{int(apart == 1)}" for k in range(30, 60, 5) for apart in (1, 9)]
+    Path("frames.csv").write_text("frame_a,frame_b,alike\n" + "\n".join(rows), encoding="utf-8")
+    named = [f"dance.bvh,{a},dance.bvh,{b}" for a, _, b in (row.partition(",") for row in rows)]
+    named = [f"{row},{group}" for row in named for group in ("fit", "check")]
+    head = "recording_a,frame_a,recording_b,frame_b,alike,group\n"
+    Path("pairs.csv").write_text(head + "\n".join(named), encoding="utf-8")
     told = run(*shlex.split(command))
     assert told.exit_code == 0, told.stderr
     assert told.stdout

@@ -6,7 +6,7 @@ import pytest
 from leitmotion.body import embody, find_roles, map_from
 from leitmotion.features import FEATURES, extract, posture
 from leitmotion.motion import Motion, ParameterError, Trajectories
-from oracles.body import human, moved, points_of, scaled
+from oracles.body import human, moved, points_of, scaled, stretched
 
 SUIT = {"Spine1": "T10", "LeftArm": "LSHO", "RightArm": "RSHO", "LeftLeg": "LKNE", "RightLeg": "RKNE"}
 CHANGED = {
@@ -14,6 +14,7 @@ CHANGED = {
     "yaw": lambda motion: moved(motion, yaw=1.9, by=[0.0, 0.0, 0.0]),
     "body_size": lambda motion: scaled(motion, 0.8),
     "unit": lambda motion: scaled(motion, 100.0),
+    "bone_lengths": lambda motion: stretched(motion, {"ForeArm": 1.4, "Hand": 0.7, "Leg": 1.2, "Foot": 0.8}),
 }
 
 

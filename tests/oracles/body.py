@@ -76,6 +76,17 @@ def scaled(motion: Motion, factor: float) -> Motion:
     )
 
 
+def stretched(motion: Motion, factors: dict[str, float]) -> Motion:
+    """The same motion of a body in which the bones that end in these joints, on both sides, are longer by a factor."""
+    by = np.array(
+        [factors.get(name.removeprefix("Left").removeprefix("Right"), 1.0) for name in motion.skeleton.names]
+    )
+    return motion.replace(
+        skeleton=motion.skeleton.replace(offsets=motion.skeleton.offsets * by[:, None]),
+        local_positions=motion.local_positions * by[:, None],
+    )
+
+
 def mirrored(motion: Motion) -> Motion:
     """The motion in a mirror that swaps left and right; the person is symmetric."""
     names = motion.skeleton.names

@@ -106,8 +106,8 @@ def _practice(page: Path, options: Options) -> None:
         progress.say("Composing the practice session")
         session = compose_session()
         body = embody(session.motion)
-        found = search(body, options, progress)
         opened = Opened(session.motion, body, source=[])
+        found = search(opened, options, progress)
         write_page(
             page, opened, found, options, progress, labels=session.stretches, labels_from="the composition"
         )
@@ -145,7 +145,7 @@ def _show_truth(console: Console, rows: list[Row]) -> None:
 def _recording(data: str, page: Path, options: Options) -> None:
     def look(given: Input, progress: Progress) -> Answer:
         opened = open_one(given, options, progress)
-        found = search(opened.body, options, progress)
+        found = search(opened, options, progress)
         write_page(page, opened, found, options, progress)
         return Answer(
             source=opened.source,

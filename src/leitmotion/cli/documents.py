@@ -24,7 +24,7 @@ from typing import TYPE_CHECKING, Any
 from leitmotion import __version__
 
 if TYPE_CHECKING:
-    from leitmotion.api import Info, Patterns, Repaired, Residual, Segmentation
+    from leitmotion.api import Calibration, Info, Patterns, Repaired, Residual, Segmentation
     from leitmotion.cli.failures import Failure
     from leitmotion.cli.inputs import Input
 
@@ -178,6 +178,40 @@ def residual_result(missed: Residual) -> Document:
             "left_over": _stretches(missed.left_over, ""),
             "parameters": missed.parameters,
         }
+    }
+
+
+def calibrate_result(found: Calibration, *, measured_in: str) -> Document:
+    """Make the result of the verb `calibrate`."""
+    check = found.check
+    return {
+        "threshold": _decimals(found.threshold, COST_DIGITS),
+        "threshold_interval": [_decimals(end, COST_DIGITS) for end in found.threshold_interval],
+        "measured_in": measured_in,
+        "equal_error_rate": _decimals(found.equal_error_rate, SCORE_DIGITS),
+        "equal_error_rate_interval": [_decimals(end, SCORE_DIGITS) for end in found.rate_interval],
+        "alike": found.alike,
+        "not_alike": found.not_alike,
+        "curve": [
+            {
+                "threshold": _decimals(threshold, COST_DIGITS),
+                "false_match": _decimals(false_match, SCORE_DIGITS),
+                "false_non_match": _decimals(false_non_match, SCORE_DIGITS),
+            }
+            for threshold, false_match, false_non_match in zip(
+                found.thresholds, found.false_match, found.false_non_match, strict=True
+            )
+        ],
+        "check": None
+        if check is None
+        else {
+            "error": _decimals(check.error, SCORE_DIGITS),
+            "error_interval": [_decimals(end, SCORE_DIGITS) for end in check.interval],
+            "false_match": _decimals(check.false_match, SCORE_DIGITS),
+            "false_non_match": _decimals(check.false_non_match, SCORE_DIGITS),
+            "alike": check.alike,
+            "not_alike": check.not_alike,
+        },
     }
 
 

@@ -18,12 +18,12 @@ TOLD = 10
 """Candidates for what was missed that a person is told at most."""
 
 
-def search(body: Body, options: Options, progress: Progress) -> Patterns:
+def search(opened: Opened, options: Options, progress: Progress) -> Patterns:
     """Find what recurs, telling what goes on.
 
     Parameters
     ----------
-    body : Body
+    opened : Opened
         The person.
     options : Options
         How to search.
@@ -37,9 +37,10 @@ def search(body: Body, options: Options, progress: Progress) -> Patterns:
     """
     from leitmotion.api import find_patterns
 
-    progress.say(f"Looking for what recurs in {body.name}")
+    progress.say(f"Looking for what recurs in {opened.body.name}")
+    recording, roles = opened.compared_by(options.features)
     with compiling_noted(progress):
-        return find_patterns(body, **options.searching)
+        return find_patterns(recording, body_map=roles, **options.searching)
 
 
 def search_left_over(body: Body, found: Patterns, progress: Progress) -> Residual:

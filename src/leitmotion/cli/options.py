@@ -31,8 +31,12 @@ class Options:
         Whether what is called left is the person's right.
     joints, exclude : tuple of str
         Which roles to compare, and which to leave out.
+    features, weights : str
+        What of a frame is compared, and whether each joint counts alike.
     method : str
         How to search.
+    max_distance, threshold : float or None
+        What counts as alike, for the method recurrence and for the method tang2008.
     min_duration : float or None
         The shortest stretch that counts, seconds.
     stillness : bool
@@ -53,7 +57,11 @@ class Options:
     swap_sides: bool = False
     joints: tuple[str, ...] = ()
     exclude: tuple[str, ...] = ()
+    features: str = "posture"
+    weights: str = "equal"
     method: str = "recurrence"
+    max_distance: float | None = None
+    threshold: float | None = None
     min_duration: float | None = None
     stillness: bool = False
     as_json: bool = False
@@ -71,18 +79,23 @@ class Options:
     @property
     def searching(self) -> dict[str, Any]:
         """The keyword arguments of the search, those that were given."""
-        if self.stillness and self.method != "recurrence":
-            raise click.UsageError("--stillness belongs to --method recurrence.")
-        given: dict[str, Any] = {
-            "method": self.method,
+        owners = {"stillness": "recurrence", "max_distance": "recurrence", "threshold": "tang2008"}
+        for name, owner in owners.items():
+            if getattr(self, name) and self.method != owner:
+                raise click.UsageError(f"--{name.replace('_', '-')} belongs to --method {owner}.")
+        given = {**self.describing, "method": self.method, "min_duration_s": self.min_duration}
+        given |= {name: getattr(self, name) for name in owners if getattr(self, name)}
+        return {name: value for name, value in given.items() if name != "min_duration_s" or value is not None}
+
+    @property
+    def describing(self) -> dict[str, Any]:
+        """The keyword arguments that say what is compared."""
+        return {
+            "features": self.features,
+            "weights": self.weights,
             "joints": self.joints or None,
             "exclude": self.exclude,
         }
-        if self.min_duration is not None:
-            given["min_duration_s"] = self.min_duration
-        if self.stillness:
-            given["stillness"] = True
-        return given
 
     def map_entries(self) -> Mapping[str, Any] | None:
         """Read the map file, None when none was given."""
@@ -193,13 +206,20 @@ _SIDES = (
         "--swap-sides", is_flag=True, help="Take what is called left for right, and right for left."
     ),
 )
-_SEARCHING = (
+_DESCRIBING = (
     click.option(
-        "--method",
-        type=click.Choice(["recurrence", "tang2008"]),
-        default="recurrence",
+        "--features",
+        type=click.Choice(["posture", "velocity", "joint_angles", "joint_rotations", "marker_posture"]),
+        default="posture",
         show_default=True,
-        help="How to search: with nothing to set, or as Tang et al. (2008) describe it.",
+        help="What of a frame is compared.",
+    ),
+    click.option(
+        "--weights",
+        type=click.Choice(["equal", "active"]),
+        default="equal",
+        show_default=True,
+        help="Whether each joint counts alike, or the more the more it moves.",
     ),
     click.option(
         "--joints",
@@ -209,6 +229,27 @@ _SEARCHING = (
         help="Compare only these roles; with wildcards, as in 'left_*,head'. `info` lists them.",
     ),
     click.option("--exclude", multiple=True, callback=_names, metavar="ROLES", help="Leave these roles out."),
+)
+_SEARCHING = (
+    click.option(
+        "--method",
+        type=click.Choice(["recurrence", "tang2008"]),
+        default="recurrence",
+        show_default=True,
+        help="How to search: with nothing to set, or as Tang et al. (2008) describe it.",
+    ),
+    click.option(
+        "--max-distance",
+        type=Positive(),
+        metavar="X",
+        help="How far apart moments may be that are alike, in the values of the features; `calibrate` tells.",
+    ),
+    click.option(
+        "--threshold",
+        type=Positive(),
+        metavar="T",
+        help="The same for --method tang2008, as a share of the largest distance.",
+    ),
     click.option(
         "--min-duration", type=Positive(), metavar="SECONDS", help="The shortest stretch that counts."
     ),
@@ -230,7 +271,7 @@ as_json = click.option(
 
 
 def common(
-    *, searching: bool = True, sides: bool = True
+    *, searching: bool = True, describing: bool = False, sides: bool = True
 ) -> Callable[[Callable[..., Any]], Callable[..., Any]]:
     """Give a command the options that every verb takes, passed on as one :class:`Options`.
 
@@ -238,6 +279,8 @@ def common(
     ----------
     searching : bool
         Whether the verb looks for what recurs, so that the search may be steered.
+    describing : bool
+        Whether it compares moments without a search, so that only what is compared may be chosen.
     sides : bool
         Whether the verb asks which side is left.
 
@@ -246,7 +289,8 @@ def common(
     callable
         A decorator; the command it makes receives ``options`` instead of the single values.
     """
-    wanted = (_SEARCHING if searching else ()) + _READING + (_SIDES if sides else ()) + _ANSWERING
+    compared = _DESCRIBING if searching or describing else ()
+    wanted = compared + (_SEARCHING if searching else ()) + _READING + (_SIDES if sides else ()) + _ANSWERING
     return _gathering(wanted)
 
 

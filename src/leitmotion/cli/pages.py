@@ -47,9 +47,11 @@ def write_page(
     from leitmotion.api import report
 
     progress.say(f"Writing {page.name}")
+    recording, roles = opened.compared_by(options.features)
     report(
-        opened.body,
+        recording,
         page,
+        body_map=roles,
         labels=labels,
         labels_from=labels_from,
         patterns=found,

@@ -58,7 +58,7 @@ def patterns(inputs: tuple[str, ...], residual: bool, options: Options) -> None:
 
     def look(given: Input, progress: Progress) -> Answer:
         opened = open_one(given, options, progress)
-        found = search(opened.body, options, progress)
+        found = search(opened, options, progress)
         if options.output is not None and options.output.suffix.lower() in OF_ONE:
             _write_one(options.output, opened, found, options, progress)
         missed = search_left_over(opened.body, found, progress) if residual else None

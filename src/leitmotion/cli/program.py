@@ -27,6 +27,7 @@ VERBS = {
     "info": "Tell what a recording holds, and what is wrong with it.",
     "convert": "Write recordings in another format, whole folders at once.",
     "repair": "Mend a recording by remedies that have a name.",
+    "calibrate": "Tell from labelled pairs how near alike postures are.",
     "patterns": "Find what recurs in a recording.",
     "evaluate": "Judge an answer by what a person saw.",
     "report": "Write the page that shows what recurs.",

@@ -12,7 +12,7 @@ from leitmotion.cli.options import Options
 from leitmotion.cli.progress import Progress
 
 if TYPE_CHECKING:
-    from leitmotion.api import Body, Motion, Trajectories
+    from leitmotion.api import Body, BodyMap, Motion, Trajectories
     from leitmotion.io import Reading
 
 
@@ -25,6 +25,17 @@ class Opened(NamedTuple):
     first_frame: int = 0
     parameters: Mapping[str, object] = MappingProxyType({})
     warnings: Sequence[str] = ()
+    roles: BodyMap | None = None
+
+    def compared_by(self, features: str) -> tuple[Motion | Trajectories | Body, BodyMap | None]:
+        """What these features are computed from, and the roles that they need beside it."""
+        from leitmotion.api import Body, Motion
+        from leitmotion.features import FEATURES
+
+        takes = FEATURES[features].takes
+        if takes is Body:
+            return self.body, None
+        return self.recording, self.roles if takes is Motion else None
 
 
 def open_one(given: Input, options: Options, progress: Progress) -> Opened:
@@ -61,6 +72,7 @@ def open_one(given: Input, options: Options, progress: Progress) -> Opened:
         first_frame=0 if reading.window is None else reading.window[0],
         parameters=reading_parameters(options.reading, reading.window, swap_sides=options.swap_sides),
         warnings=[*reading.warnings, *told.misread, *unused_skeleton(options, reading.findings)],
+        roles=told.roles,
     )
 
 

@@ -70,7 +70,7 @@ def report(
 
         opened = open_one(given, options, progress)
         lane, notes = (None, []) if labels is None else _read_labels(labels, tier, opened)
-        found = search(opened.body, options, progress)
+        found = search(opened, options, progress)
         page = pages[given.shown]
         write_page(
             page,

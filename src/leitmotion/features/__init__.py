@@ -1,5 +1,6 @@
 """What numbers describe a frame, and what are they invariant to."""
 
+from leitmotion.features.angles import joint_angles
 from leitmotion.features.catalogue import FEATURES, Feature, extract
 from leitmotion.features.markers import marker_posture
 from leitmotion.features.posture import choose_roles, posture
@@ -7,16 +8,20 @@ from leitmotion.features.resampling import resample
 from leitmotion.features.rotations import joint_rotations
 from leitmotion.features.sequence import FeatureSequence
 from leitmotion.features.velocity import velocity
+from leitmotion.features.weights import active_weights, weighted
 
 __all__ = [
     "FEATURES",
     "Feature",
     "FeatureSequence",
+    "active_weights",
     "choose_roles",
     "extract",
+    "joint_angles",
     "joint_rotations",
     "marker_posture",
     "posture",
     "resample",
     "velocity",
+    "weighted",
 ]

@@ -79,7 +79,7 @@ def joint_rotations(
         values=values.reshape(len(motion), -1),
         names=chosen,
         rate=motion.rate,
-        invariant_to=("place", "yaw", "body_size", "unit"),
+        invariant_to=("place", "yaw", "body_size", "unit", "bone_lengths"),
         width=4,
         scale=RADIANS,
         unit="rad",

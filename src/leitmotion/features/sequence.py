@@ -22,7 +22,7 @@ class FeatureSequence(Noun):
     rate : float
         Frames per second.
     invariant_to : tuple of str
-        Of "place", "yaw", "body_size", "unit", "tempo": what may change without changing the values.
+        Of "place", "yaw", "body_size", "unit", "bone_lengths", "tempo": what may change without changing the values.
     width : int
         How many consecutive values belong to one name; distances average the norms of these groups.
     scale : float

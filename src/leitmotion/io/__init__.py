@@ -6,6 +6,7 @@ from leitmotion.io.answers import StoredPatterns, rate_of, read_answers
 from leitmotion.io.archive import load, save
 from leitmotion.io.files import write_whole
 from leitmotion.io.formats import EXTENSIONS, Format
+from leitmotion.io.pair_table import LabelledPair, read_pairs
 from leitmotion.io.reading import Finding, Reading
 from leitmotion.io.sinks import write
 from leitmotion.io.sources import open_recording, read, read_all
@@ -14,6 +15,7 @@ __all__ = [
     "EXTENSIONS",
     "Finding",
     "Format",
+    "LabelledPair",
     "Reading",
     "StoredPatterns",
     "as_stretches",
@@ -25,6 +27,7 @@ __all__ = [
     "read_annotations",
     "read_answers",
     "read_cycles",
+    "read_pairs",
     "read_unlabelled",
     "save",
     "write",

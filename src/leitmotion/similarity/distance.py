@@ -98,7 +98,7 @@ def cross_distance(a: FeatureSequence, b: FeatureSequence, *, metric: str = "mea
     >>> cross_distance(hand, hand[1:]).values.tolist()
     [[5.0], [0.0]]
     """
-    _check_comparable(a, b)
+    check_comparable(a, b)
     kind = max(_kind_of_tile(metric, a), _kind_of_tile(metric, b))
     centre = _centre(metric, a)
     values = _blank(len(a), len(b))
@@ -125,7 +125,8 @@ def _kind_of_tile(metric: str, features: FeatureSequence) -> int:
     return POINTS if all_seen else GROUPS
 
 
-def _check_comparable(a: FeatureSequence, b: FeatureSequence) -> None:
+def check_comparable(a: FeatureSequence, b: FeatureSequence) -> None:
+    """Refuse to compare what does not hold the same features in the same unit."""
     if a.names != b.names or a.width != b.width:
         missing = sorted(set(a.names) ^ set(b.names))
         what = f"these stand in one only: {', '.join(missing)}" if missing else "order or width differ"

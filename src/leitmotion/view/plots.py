@@ -85,7 +85,7 @@ def plot_matrix(
     from matplotlib.colors import LinearSegmentedColormap
 
     colours = theme_named(theme)
-    figure = _figure(width, width * 1.06, colours)
+    figure = new_figure(width, width * 1.06, colours)
     axes = figure.add_axes((0.11, 0.105, 0.85, 0.85 / 1.06))
     told = how_told(matrix)
     cap = distance_cap(matrix.values, told)
@@ -105,7 +105,7 @@ def plot_matrix(
         _edge_bars(axes, patterns, colours)
     axes.set(xlim=(0, seconds[0]), ylim=(seconds[1], 0), xticks=_ticks(seconds[0]), yticks=_ticks(seconds[1]))
     axes.xaxis.set_ticks_position("top")
-    _style(axes, colours)
+    style_axes(axes, colours)
     _unit_of_time(axes)
     axes.set_title(title, loc="left", fontsize=TITLE, color=colours.ink, pad=22)
     _legend(figure, colours, _far_end(cap, told))
@@ -154,14 +154,14 @@ def plot_patterns(
     colours = theme_named(theme)
     lanes = max(1, len(patterns)) + (labels is not None)
     height = lanes * LANE + 0.45
-    figure = _figure(width, height, colours)
+    figure = new_figure(width, height, colours)
     axes = figure.add_axes((HEAD / width, 0.08 / height, 1 - (HEAD + 0.15) / width, lanes * LANE / height))
     if seconds is None:
         ends = [int(pattern.stretches.stops[-1]) / patterns.rate for pattern in patterns.patterns]
         seconds = max(ends, default=1.0)
     axes.set(xlim=(0, seconds), ylim=(lanes, 0), yticks=[], xticks=_ticks(seconds))
     axes.xaxis.set_ticks_position("top")
-    _style(axes, colours)
+    style_axes(axes, colours)
     _unit_of_time(axes)
     per_second = (width - HEAD - 0.15) / seconds
     for lane, pattern in enumerate(patterns.patterns):
@@ -224,7 +224,7 @@ def plot_figures(
     low, high = low - 0.03 * (high - low), high + 0.03 * (high - low)
     scale = (height - CAPTION) / (high - low)  # inches a metre
     width = 2 * half * len(chosen) * scale
-    figure = _figure(width, height, colours)
+    figure = new_figure(width, height, colours)
     axes = figure.add_axes((0, CAPTION / height, 1, 1 - CAPTION / height))
     axes.set(xlim=(-half, (2 * len(chosen) - 1) * half), ylim=(low, high))
     axes.axis("off")
@@ -235,13 +235,15 @@ def plot_figures(
     return figure
 
 
-def _figure(width: float, height: float, colours: Theme) -> Figure:
+def new_figure(width: float, height: float, colours: Theme) -> Figure:
+    """Begin a figure of the house: so many inches, on the theme's surface."""
     from matplotlib.figure import Figure
 
     return Figure(figsize=(width, height), dpi=200, facecolor=colours.surface)
 
 
-def _style(axes: Axes, colours: Theme) -> None:
+def style_axes(axes: Axes, colours: Theme) -> None:
+    """Draw axes as the house does: small ticks in ink, no frame."""
     axes.set_facecolor(colours.surface)
     axes.tick_params(
         length=2.5, width=0.6, labelsize=SMALL, color=colours.ink2, labelcolor=colours.ink2, pad=6
