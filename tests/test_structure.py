@@ -24,7 +24,7 @@ FLOORS = {
     "facade": 6,
     "cli": 7,
 }  # fmt: skip
-FACADE = ("__init__", "api", "calibration", "conversion", "describing", "evaluating", "inspection")
+FACADE = ("__init__", "api", "calibration", "conversion", "describing", "evaluating", "inspection", "lessons")
 HEAVY = ("numba", "scipy", "matplotlib", "sklearn", "torch", "cv2")
 
 

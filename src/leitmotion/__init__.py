@@ -7,7 +7,8 @@
 
 The functions a person types stand here; each question of the field has a room of its own behind them, reached as
 ``lm.io``, ``lm.body``, ``lm.evaluation``, ``lm.features``, ``lm.repairs``, ``lm.similarity``, ``lm.discovery``,
-``lm.view``. Importing this package loads nothing but itself: a name brings its room when it is first used.
+``lm.synthesis``, ``lm.view``. Importing this package loads nothing but itself: a name brings its room when it is first
+used.
 """
 
 from __future__ import annotations
@@ -26,6 +27,7 @@ if TYPE_CHECKING:
         FoundPatterns,
         Info,
         LeitmotionError,
+        Lesson,
         Motion,
         ParameterError,
         Pattern,
@@ -36,6 +38,7 @@ if TYPE_CHECKING:
         Residual,
         Segmentation,
         Skeleton,
+        Summary,
         Trajectories,
         calibrate,
         compose_session,
@@ -46,6 +49,7 @@ if TYPE_CHECKING:
         find_roles,
         info,
         load,
+        make_lesson,
         read,
         read_all,
         read_annotations,
@@ -53,6 +57,7 @@ if TYPE_CHECKING:
         report,
         save,
         search_residual,
+        summarize,
         write,
     )
 
@@ -68,6 +73,7 @@ __all__ = [
     "FoundPatterns",
     "Info",
     "LeitmotionError",
+    "Lesson",
     "Motion",
     "ParameterError",
     "Pattern",
@@ -78,6 +84,7 @@ __all__ = [
     "Residual",
     "Segmentation",
     "Skeleton",
+    "Summary",
     "Trajectories",
     "calibrate",
     "compose_session",
@@ -88,6 +95,7 @@ __all__ = [
     "find_roles",
     "info",
     "load",
+    "make_lesson",
     "read",
     "read_all",
     "read_annotations",
@@ -95,6 +103,7 @@ __all__ = [
     "report",
     "save",
     "search_residual",
+    "summarize",
     "write",
 ]
 
@@ -109,6 +118,7 @@ _ROOMS = frozenset(
         "motion",
         "repairs",
         "similarity",
+        "synthesis",
         "view",
     }
 )

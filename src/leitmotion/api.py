@@ -20,12 +20,13 @@ from leitmotion.calibration import Calibration, calibrate
 from leitmotion.conversion import Converted, convert
 from leitmotion.datasets import compose_session
 from leitmotion.describing import Recording, Roles, as_body, described, of_body, weighed
-from leitmotion.discovery import Pattern, Patterns, Residual
+from leitmotion.discovery import Lesson, Pattern, Patterns, Residual
 from leitmotion.evaluating import evaluate
 from leitmotion.evaluation import FoundPatterns, PatternScores, PatternTruth
 from leitmotion.features import FEATURES, FeatureSequence
 from leitmotion.inspection import Info, info
 from leitmotion.io import load, read, read_all, read_annotations, save, write, write_whole
+from leitmotion.lessons import make_lesson, summarize
 from leitmotion.motion import (
     DataError,
     FormatError,
@@ -37,6 +38,7 @@ from leitmotion.motion import (
     Trajectories,
 )
 from leitmotion.repairs import Repaired, repair
+from leitmotion.synthesis import Summary
 
 __all__ = [
     "Body",
@@ -48,6 +50,7 @@ __all__ = [
     "FoundPatterns",
     "Info",
     "LeitmotionError",
+    "Lesson",
     "Motion",
     "ParameterError",
     "Pattern",
@@ -58,6 +61,7 @@ __all__ = [
     "Residual",
     "Segmentation",
     "Skeleton",
+    "Summary",
     "Trajectories",
     "calibrate",
     "compose_session",
@@ -68,6 +72,7 @@ __all__ = [
     "find_roles",
     "info",
     "load",
+    "make_lesson",
     "read",
     "read_all",
     "read_annotations",
@@ -75,6 +80,7 @@ __all__ = [
     "report",
     "save",
     "search_residual",
+    "summarize",
     "write",
 ]
 

@@ -12,11 +12,13 @@ from leitmotion.cli.batch import Answer, answer_each, finish
 from leitmotion.cli.documents import Document, patterns_result, residual_result
 from leitmotion.cli.finding import search, search_left_over, show_patterns, show_residual, warnings_of
 from leitmotion.cli.inputs import Input
+from leitmotion.cli.lesson import lesson_option, teach
 from leitmotion.cli.options import Options, as_json, common, examples, force, output, takes_inputs
 from leitmotion.cli.outputs import check_output, write_documents, write_figure
 from leitmotion.cli.pages import write_page
 from leitmotion.cli.progress import Progress
 from leitmotion.cli.recordings import Opened, open_one
+from leitmotion.cli.summary import summarise, summary_options
 
 if TYPE_CHECKING:
     from rich.console import Console
@@ -40,6 +42,8 @@ COLUMNS = (
         "leitmotion patterns dance.bvh[12s:45s] -o dance.csv",
         "leitmotion patterns dance.bvh --residual",
         "leitmotion patterns recordings/ --json",
+        "leitmotion patterns dance.bvh --summary -o short.bvh",
+        "leitmotion patterns dance.bvh --lesson",
     )
 )
 @takes_inputs
@@ -50,11 +54,29 @@ COLUMNS = (
     "Also write what was found, by the ending: .json or .csv; of one input .html, .eaf (ELAN), "
     ".png, .svg, .pdf or .npz."
 )
+@summary_options
+@lesson_option
 @force
 @as_json
 @common()
-def patterns(inputs: tuple[str, ...], residual: bool, options: Options) -> None:
+def patterns(
+    inputs: tuple[str, ...],
+    residual: bool,
+    summary: bool,
+    contents: Path | None,
+    lesson: bool,
+    options: Options,
+) -> None:
     """Find what recurs in a recording."""
+    if residual + summary + lesson > 1:
+        raise click.UsageError(
+            "--residual, --summary and --lesson are answers of their own: ask for one of them."
+        )
+    if contents is not None and not summary:
+        raise click.UsageError("--contents is the table of contents of a summary: give --summary as well.")
+    if summary or lesson:
+        summarise(inputs, contents, options) if summary else teach(inputs, options)
+        return
 
     def look(given: Input, progress: Progress) -> Answer:
         opened = open_one(given, options, progress)

@@ -11,20 +11,19 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from leitmotion.cli.batch import Answer, answer_each, finish
+from leitmotion.cli.copies import copy_targets, write_copy
 from leitmotion.cli.documents import reading_parameters, repair_result, source_entry
 from leitmotion.cli.inputs import Input
 from leitmotion.cli.options import Options, Positive, as_json, common, examples, output, takes_inputs
-from leitmotion.cli.outputs import check_output
 from leitmotion.cli.printing import print_table
 from leitmotion.cli.progress import Progress
 from leitmotion.cli.recordings import read_one, unused_skeleton
-from leitmotion.cli.suggestions import ending_of, one_command
-from leitmotion.cli.targets import plan
+from leitmotion.cli.suggestions import one_command
 
 if TYPE_CHECKING:
     from rich.console import Console
 
-    from leitmotion.api import Motion, Repaired, Trajectories
+    from leitmotion.api import Repaired
 
 
 class _Frames(click.ParamType):
@@ -108,7 +107,7 @@ def repair(inputs: tuple[str, ...], options: Options, filter_: float | str | Non
 
     def check(given: Sequence[Input]) -> None:
         if options.output is not None and remedies:
-            targets.update(_targets(given, options.output, force=options.force))
+            targets.update(copy_targets(given, options.output, force=options.force))
 
     def look(given: Input, progress: Progress) -> Answer:
         from leitmotion.api import info
@@ -123,7 +122,7 @@ def repair(inputs: tuple[str, ...], options: Options, filter_: float | str | Non
         progress.say(f"Mending {given.path.name}")
         mended = mend(recording, **remedies, body_map=entries)
         written = targets.get(given.shown)
-        lost = () if written is None else _write(mended.recording, written, force=options.force)
+        lost = () if written is None else write_copy(mended.recording, written, force=options.force)
         parameters = reading_parameters(options.reading, reading.window)
         return Answer(
             source=[source_entry(given, frames=len(recording), rate=recording.rate)],
@@ -141,38 +140,6 @@ def _check_together(remedies: dict[str, Any]) -> None:
         raise click.UsageError("--frames says where sides are swapped: give --swap-sides as well.")
     if "max_gap_s" in remedies and "fill" not in remedies:
         raise click.UsageError("--max-gap says which gaps are filled: give --fill as well.")
-
-
-def _write(recording: Motion | Trajectories, path: Path, *, force: bool) -> tuple[str, ...]:
-    """Write a recording, and say what its format does not keep of it."""
-    from leitmotion.conversion import put, refuse_other, written_as
-
-    content, lost = written_as(recording, path.suffix.lower())
-    refuse_other(path, content, force=force, by="--force")
-    put(path, content, force=force)
-    return tuple(f"{path.name}: {each.detail}" for each in lost)
-
-
-def _targets(given: Sequence[Input], output: Path, *, force: bool) -> dict[str, Path]:
-    """Say which file each input is written to: in a folder as it stands under the folder that was named."""
-    from leitmotion.io.formats import writable
-
-    if output.suffix and not output.is_dir():
-        if len(given) > 1:
-            raise click.UsageError(
-                f"{output} names one file, but there are {len(given)} recordings. "
-                f"Name a folder: -o {output.with_suffix('')}."
-            )
-        check_output(output, given, endings=tuple(writable()), force=force)
-        return {given[0].shown: output}
-    targets = {}
-    for one, place in zip(given, plan(given, output, "").paths, strict=True):
-        ending = ending_of(one)
-        named = place.name.lower().endswith(ending)  # where two inputs differ by nothing else
-        targets[one.shown] = place if named else place.with_name(place.name + ending)
-    for target in targets.values():
-        check_output(target, given, endings=tuple(writable()), force=force)
-    return targets
 
 
 def _show(console: Console, mended: Repaired, written: Path | None, suggestion: str, *, asked: bool) -> None:

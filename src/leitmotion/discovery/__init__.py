@@ -1,20 +1,29 @@
 """What is in this recording: patterns that recur, and what may have been missed."""
 
+from leitmotion.discovery.lesson import Difference, Lesson, Step, Variation, make_lesson
 from leitmotion.discovery.pattern import Pattern, PatternPair, Patterns
 from leitmotion.discovery.patterns import METHODS, find_patterns
 from leitmotion.discovery.recurrence import find_recurrences
 from leitmotion.discovery.residual import Candidate, Residual, search_residual
 from leitmotion.discovery.tang2008 import find_patterns_tang2008
+from leitmotion.discovery.typical import align_occurrences, typical_occurrence
 
 __all__ = [
     "METHODS",
     "Candidate",
+    "Difference",
+    "Lesson",
     "Pattern",
     "PatternPair",
     "Patterns",
     "Residual",
+    "Step",
+    "Variation",
+    "align_occurrences",
     "find_patterns",
     "find_patterns_tang2008",
     "find_recurrences",
+    "make_lesson",
     "search_residual",
+    "typical_occurrence",
 ]
