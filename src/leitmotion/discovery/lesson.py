@@ -18,7 +18,7 @@ from __future__ import annotations
 import numpy as np
 
 from leitmotion.discovery.pattern import Pattern, Patterns
-from leitmotion.discovery.typical import align_occurrences, check_features, typical_occurrence
+from leitmotion.discovery.typical import align_occurrences, at_moments, typical_occurrence
 from leitmotion.features.sequence import FeatureSequence
 from leitmotion.motion.errors import ParameterError
 from leitmotion.motion.noun import Noun, check_rate, noun, set_array
@@ -162,7 +162,7 @@ def make_lesson(features: FeatureSequence, patterns: Patterns) -> Lesson:
     Parameters
     ----------
     features : FeatureSequence
-        Postures of the whole recording (:func:`leitmotion.features.posture`).
+        Postures of the whole recording (:func:`leitmotion.features.posture`), at any rate.
     patterns : Patterns
         What recurs in it.
 
@@ -198,11 +198,10 @@ def make_lesson(features: FeatureSequence, patterns: Patterns) -> Lesson:
     steps = [_step(pattern, features) for pattern in patterns.patterns]
     steps.sort(key=lambda step: (-step.count, -step.seconds))
     turned = "yaw" in features.invariant_to and features.width == 3
-    return Lesson(tuple(steps), features.rate, features.scale, features.unit, turned)
+    return Lesson(tuple(steps), patterns.rate, features.scale, features.unit, turned)
 
 
 def _step(pattern: Pattern, features: FeatureSequence) -> Step:
-    check_features(pattern, features)
     spans, typical = pattern.occurrences, typical_occurrence(pattern, features)
     return Step(
         pattern=pattern.id,
@@ -233,17 +232,21 @@ def _variation(pattern: Pattern, typical: int, k: int, features: FeatureSequence
         stop=int(spans.stops[k]),
         distance=laid.cost,
         tempo=float(lengths[0] / lengths[1]),
-        lag_s=float(lags[most] * lengths[0] / features.rate),
+        lag_s=float(lags[most] * lengths[0] / spans.rate),
         lag_phase=float(phases[most, 0]),
-        differences=_differences(laid.path[inner], phases[inner, 0], features),
+        differences=_differences(laid.path[inner] / spans.rate, phases[inner, 0], features),
         path=laid.path,
     )
 
 
-def _differences(path: np.ndarray, phases: np.ndarray, features: FeatureSequence) -> tuple[Difference, ...]:
+def _differences(
+    moments: np.ndarray, phases: np.ndarray, features: FeatureSequence
+) -> tuple[Difference, ...]:
     """The joints that go farthest from where they are in the typical occurrence, each at its farthest."""
-    values = features.values.reshape(len(features), -1, features.width)
-    offsets = values[path[:, 1]] - values[path[:, 0]]
+    typical, this = (
+        at_moments(features, moments[:, n]).values.reshape(len(moments), -1, features.width) for n in (0, 1)
+    )
+    offsets = this - typical
     distances = np.linalg.norm(offsets, axis=2)
     known = np.where(np.isfinite(distances), distances, -1.0)
     when = known.argmax(axis=0)

@@ -12,6 +12,7 @@ import numpy as np
 from leitmotion.discovery.pattern import Pattern
 from leitmotion.features.sequence import FeatureSequence
 from leitmotion.motion.errors import ParameterError
+from leitmotion.motion.segmentation import Segmentation
 from leitmotion.similarity import Alignment, align, cross_distance
 
 WORKING_RATE = 30.0  # hertz
@@ -29,7 +30,7 @@ def typical_occurrence(pattern: Pattern, features: FeatureSequence) -> int:
     pattern : Pattern
         What recurs.
     features : FeatureSequence
-        What of each frame is compared, of the whole recording.
+        What of each frame is compared, of the whole recording, at any rate.
 
     Returns
     -------
@@ -39,7 +40,7 @@ def typical_occurrence(pattern: Pattern, features: FeatureSequence) -> int:
     Raises
     ------
     ParameterError
-        When the features end before the pattern does, or have another rate.
+        When the features end before the pattern does.
 
     Examples
     --------
@@ -82,33 +83,37 @@ def align_occurrences(pattern: Pattern, k: int, m: int, features: FeatureSequenc
     Returns
     -------
     Alignment
-        `path` in frames of the recording; a step a moment at 30 Hz. `cost` is the mean distance along it.
+        `path` in frames of the occurrences; a step a moment at 30 Hz. `cost` is the mean distance along it.
     """
-    starts, stops = pattern.occurrences.starts, pattern.occurrences.stops
-    rows, columns = (_working_frames(int(starts[n]), int(stops[n]), features.rate) for n in (k, m))
-    a, b = (features.replace(values=features.values[frames]) for frames in (rows, columns))
+    check_features(pattern, features)
+    rows, columns = (_moments(pattern.occurrences, n) for n in (k, m))
+    a, b = (at_moments(features, moments) for moments in (rows, columns))
     distances = cross_distance(a, b).values.astype(np.float64)
     known = np.isfinite(distances)
     laid = align(np.where(known, distances, distances[known].max(initial=0.0)))
-    return laid.replace(path=np.stack((rows[laid.path[:, 0]], columns[laid.path[:, 1]]), axis=1))
+    path = np.stack((rows[laid.path[:, 0]], columns[laid.path[:, 1]]), axis=1)
+    return laid.replace(path=np.round(path * pattern.occurrences.rate).astype(np.int64))
 
 
-def _working_frames(start: int, stop: int, rate: float) -> np.ndarray:
-    """The frames nearest to moments of the working rate, from the first one on."""
-    count = max(2, round((stop - start) / rate * WORKING_RATE))
-    return np.minimum(start + (np.arange(count) / WORKING_RATE * rate).round().astype(int), stop - 1)
+def at_moments(features: FeatureSequence, moments: np.ndarray) -> FeatureSequence:
+    """Take the frames nearest to moments in seconds; after the last frame that one."""
+    frames = np.clip(np.round(moments * features.rate).astype(np.int64), 0, len(features) - 1)
+    return features.replace(values=features.values[frames])
+
+
+def _moments(spans: Segmentation, k: int) -> np.ndarray:
+    """Moments of a stretch at the working rate, from its first frame on, seconds."""
+    start, stop = spans.starts[k] / spans.rate, spans.stops[k] / spans.rate
+    count = max(2, round((stop - start) * WORKING_RATE))
+    return np.minimum(start + np.arange(count) / WORKING_RATE, stop - 1 / spans.rate)
 
 
 def check_features(pattern: Pattern, features: FeatureSequence) -> None:
-    """Refuse features that cannot be of the recording in which the pattern was found."""
+    """Refuse features that end before the pattern does; a frame more is let pass, as rates may differ."""
     spans = pattern.occurrences
-    if not np.isclose(spans.rate, features.rate, rtol=1e-6):
+    reached, covered = spans.stops.max() / spans.rate, len(features) / features.rate
+    if reached > covered + 1 / features.rate:
         raise ParameterError(
-            f"The pattern is of a recording at {spans.rate:g} Hz, the features are at {features.rate:g} Hz.",
-            remedy="Give the features of the same recording.",
-        )
-    if spans.stops.max() > len(features):
-        raise ParameterError(
-            f"The pattern reaches to frame {spans.stops.max()}, but the features have {len(features)}.",
+            f"The pattern reaches to {reached:.2f} s, but the features cover {covered:.2f} s.",
             remedy="Give the features of the same recording.",
         )

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 from leitmotion.discovery import Difference, Lesson, Step, Variation
-from leitmotion.view.counting import plural, times_word
+from leitmotion.view.counting import times_word
 from leitmotion.view.words import role_word
 
 WORTH_NAMING_M = 0.03
@@ -135,9 +137,45 @@ def lag_words(variation: Variation) -> str:
     return f"{abs(variation.lag_s):.1f} s {when} at {100 * variation.lag_phase:.0f} %"
 
 
-def variations_word(step: Step) -> str:
-    """Say how many other times there are: "7 variations"."""
-    return plural(len(step.variations), "variation")
+def step_payload(step: Step, lesson: Lesson) -> dict[str, Any]:
+    """Make of a movement what the page shows: its words, and its times in seconds, the typical one first.
+
+    Parameters
+    ----------
+    step : Step
+        One movement of a lesson.
+    lesson : Lesson
+        The lesson.
+
+    Returns
+    -------
+    dict
+        `times`, `seconds` in words; `takes` with `start`, `stop`, `apart`, `words`, and the `length` of their paths.
+    """
+    typical = {
+        "start": step.start / lesson.rate,
+        "stop": step.stop / lesson.rate,
+        "apart": "",
+        "words": [],
+        "length": 0,
+    }
+    return {
+        "times": times_word(step.count),
+        "seconds": f"{step.seconds:.1f} s in all",
+        "takes": [
+            typical,
+            *(
+                {
+                    "start": each.start / lesson.rate,
+                    "stop": each.stop / lesson.rate,
+                    "apart": length_words(each.distance, lesson),
+                    "words": variation_words(each, lesson),
+                    "length": len(each.path),
+                }
+                for each in step.variations
+            ),
+        ],
+    }
 
 
 def _is_worth_naming(difference: Difference, lesson: Lesson) -> bool:

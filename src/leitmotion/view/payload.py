@@ -16,12 +16,14 @@ from typing import Any
 import numpy as np
 
 from leitmotion.body import ANALYSIS_ROLES, LINKS, ROLES, Body
-from leitmotion.discovery import Pattern, Patterns
+from leitmotion.discovery import Pattern, Patterns, make_lesson
+from leitmotion.features import posture
 from leitmotion.motion import ParameterError, Segmentation
 from leitmotion.similarity import SimilarityMatrix
 from leitmotion.view import words
 from leitmotion.view.choose import MISSING, choose_key, choose_strips, find_nearest, floor_height, look_across
 from leitmotion.view.distances import distance_cap, how_told
+from leitmotion.view.lesson import step_payload
 
 VERSION = 1
 DRAWN_RATE = 30.0
@@ -108,6 +110,7 @@ def page_payload(
         },
         "patterns": [_pattern(p, moments, rate) for p in patterns.patterns],
         "stripes": _stripes(patterns),
+        "lesson": _lesson(body, patterns),
         "labels": None if labels is None else _labels(labels, labels_from),
         "strips": [_array(chosen / rate, "f4") for chosen in choose_strips(moments, STRIP_COUNTS)],
         "empty": None
@@ -266,6 +269,23 @@ def _stripes(patterns: Patterns) -> dict[str, Any]:
         "pattern": [order[pair.pattern] for pair in pairs],
         "length": lengths,
         "points": _array(np.concatenate(paths) if paths else np.empty((0, 2)), "f4"),
+    }
+
+
+def _lesson(body: Body, patterns: Patterns) -> dict[str, Any] | None:
+    """Steps in order, each with its times, the typical one first; of the others the moments that belong together."""
+    searched = patterns.parameters.get("features")
+    named = searched if isinstance(searched, list | tuple) else ()
+    lesson = make_lesson(
+        posture(body, roles=[role for role in named if role in body.roles] or None), patterns
+    )
+    if not lesson.steps:
+        return None
+    order = {pattern.id: k for k, pattern in enumerate(patterns.patterns)}
+    paths = [each.path for step in lesson.steps for each in step.variations]
+    return {
+        "steps": [step_payload(step, lesson) | {"pattern": order[step.pattern]} for step in lesson.steps],
+        "points": _array(np.concatenate(paths) / lesson.rate, "f4"),
     }
 
 

@@ -27,7 +27,7 @@ from leitmotion.view.payload import page_payload
 SCRIPTS = (
     "data", "theme", "state", "words", "space", "figure", "stage", "differences", "cameras",
     "matrix", "stripes", "pointing", "timeline", "row_strip", "row_lanes", "row_labels", "row_curve",
-    "panel", "table", "sheets", "save", "play", "keys", "main",
+    "panel", "table", "sheets", "save", "play", "lesson", "keys", "main",
 )  # fmt: skip
 """The parts of the script, in the order in which they are joined: each uses only those before it when it loads."""
 

@@ -16,6 +16,9 @@ addEventListener("keydown", (event) => {
   else if (CAMERAS[Number(key) - 1]) setCamera(CAMERAS[Number(key) - 1]);
   else if (key === "?") toggleHelp();
   else if (letter === "M") tellSymmetry();
+  else if (letter === "L" && lessonSteps.length) showLesson(!state.lesson);
+  else if ((letter === "N" || letter === "P") && lessonSteps.length) stepTake(letter === "N" ? 1 : -1);
+  else if (letter === "R" && lessonSteps.length) toggleRepeat();
   else if (letter && "ABCDEFGH".includes(letter) && chosen >= 0) choosePattern(chosen);
   else if (event.target === stage.canvas && (key === "+" || key === "-")) zoomCamera(key === "+" ? 1.1 : 1 / 1.1);
   else if (event.target === stage.canvas && (key === "ArrowUp" || key === "ArrowDown")) turnCamera(0, key === "ArrowUp" ? 8 : -8);

@@ -101,6 +101,7 @@ buildHelp();
 buildSaves();
 buildTimeline();
 buildTable();
+buildLesson();
 applyTheme();
 drawNow();
 

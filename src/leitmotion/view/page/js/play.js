@@ -1,4 +1,4 @@
-// Playing: one recording, the stretches of a chosen pattern in turn, or a pair along its stripe.
+// Playing: one recording, the stretches of a chosen pattern in turn, a lesson, or a pair along its stripe.
 
 const player = { before: 0 };
 
@@ -11,6 +11,7 @@ function goTo(time) {
 
 function play() {
   if (state.playing) return;
+  if (!state.held && state.take !== null) rewindTakes();
   if (!state.held && state.pattern === null && state.time >= clip.last - 1e-6) state.time = 0;
   if (state.held && state.stripe === null) {
     const near = stripeNear(state.time, state.second);
@@ -45,7 +46,8 @@ function advance(seconds) {
   if (state.held) {
     if (state.stripe !== null) walkStripe(seconds);
     else shiftPair(seconds);
-  } else if (state.pattern !== null) loopPattern(seconds);
+  } else if (state.take !== null) playTakes(seconds);
+  else if (state.pattern !== null) loopPattern(seconds);
   else {
     state.time += seconds;
     if (state.time >= clip.last) {
@@ -75,13 +77,13 @@ function loopPattern(seconds) {
 
 // Choose a pattern and loop its stretches in turn; choosing it again clears it.
 function choosePattern(p, stretch = null) {
-  if (state.pattern === p && (stretch === null || stretch === state.loop)) {
+  if (state.take === null && state.pattern === p && (stretch === null || stretch === state.loop)) {
     clearPattern();
     return;
   }
   const inside = stretchAt(state.time, p);
   state.pattern = p;
-  Object.assign(state, { held: false, second: null, stripe: null, hover: null });
+  Object.assign(state, { take: null, held: false, second: null, stripe: null, hover: null });
   state.loop = stretch ?? (inside ? inside.stretch : 0);
   if (stretch !== null || !inside) state.time = patterns[p].stretches[state.loop].start;
   keepHash();
@@ -90,7 +92,7 @@ function choosePattern(p, stretch = null) {
 }
 
 function clearPattern() {
-  state.pattern = null;
+  Object.assign(state, { pattern: null, take: null });
   pause();
   keepHash();
   redraw("change");
@@ -143,6 +145,11 @@ on("change", () => {
   looping.hidden = state.pattern === null;
   $("hints").hidden = state.pattern !== null;
   if (state.pattern === null) return;
+  if (state.take !== null) {
+    const count = takesOf(state.pattern).length;
+    looping.replaceChildren(chip(state.pattern), ` ${state.take + 1} of ${count}${state.take ? "" : ", typical"}`);
+    return;
+  }
   const count = patterns[state.pattern].stretches.length;
   looping.replaceChildren("Looping ", chip(state.pattern), `, stretch ${state.loop + 1} of ${count}`);
 });

@@ -27,6 +27,7 @@ function lessons() {
 
 const KEYS = [
   ["space", "play or pause"], ["← →", "one frame"], ["shift ← →", "one second"], ["A–H", "choose a pattern"],
+  ["L", "the lesson"], ["N P", "in it: next, previous"], ["R", "in it: loop this one"],
   ["Esc", "clear the choice or the pair"], ["[ ]", "slower, faster"], ["1 2 3 4", "camera"],
   ["arrows", "on the matrix: move the cell; Enter holds it"], ["F2", "on a lane: name the pattern"], ["?", "this help"],
 ];

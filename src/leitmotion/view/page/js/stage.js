@@ -21,8 +21,8 @@ on("frame", drawStage);
 function drawStage() {
   const { width, height } = stage;
   const pen = (stage.pen = sized(stage.canvas, width, height));
-  const pair = pairOnShow();
   const now = shownTime();
+  const pair = pairOnShow() || variationOnShow(now);
   postureAt(now, posture);
   const camera = (stage.camera = stageCamera(now));
   if (!clip.flat) {
@@ -37,6 +37,12 @@ function drawStage() {
   drawFigure(pen, posture, camera);
   if (pair && seen) drawDifferences(pen, camera, pair);
   else if (figureHeight(camera) >= 240) drawSides(pen, camera);
+}
+
+// In a lesson a variation is shown over the typical time.
+function variationOnShow(now) {
+  const typical = state.ghost ? typicalMoment(now) : null;
+  return typical === null ? null : { one: now, two: typical };
 }
 
 // The moment that is laid under the figure: the second of a pair, else the one most like now.

@@ -14,6 +14,9 @@ const state = {
   speed: 1,
   pattern: null, // index of the chosen pattern
   loop: 0, // which of its stretches plays
+  lesson: false, // whether the lesson takes the panel's place
+  take: null, // which time of the chosen pattern the lesson plays: 0 is the typical one
+  repeat: false, // whether it plays that one again and again
   bar: null, // the pattern whose bar is pointed at
   camera: "room",
   turn: 0,
@@ -66,6 +69,9 @@ function writeHash() {
   parts.set("t", short(state.time));
   if (state.held) parts.set("u", short(state.second));
   if (state.pattern !== null) parts.set("pattern", patterns[state.pattern].id);
+  if (state.lesson) parts.set("lesson", "1");
+  if (state.take !== null) parts.set("take", String(state.take + 1));
+  if (state.repeat) parts.set("repeat", "1");
   if (state.camera !== "room") parts.set("camera", state.camera);
   if (state.turn) parts.set("turn", short(state.turn));
   if (state.tilt) parts.set("tilt", short(state.tilt));
@@ -96,6 +102,11 @@ function readHash(hash = location.hash) {
   const chosen = patterns.findIndex((p) => p.id === parts.get("pattern"));
   state.pattern = chosen < 0 ? null : chosen;
   state.loop = chosen < 0 ? 0 : (stretchAt(state.time, chosen)?.stretch ?? 0);
+  const takes = chosen < 0 ? 0 : takesOf(chosen).length;
+  const take = number("take", null, 1, Math.max(takes, 1));
+  state.take = takes && take !== null ? Math.round(take) - 1 : null;
+  state.lesson = lessonSteps.length > 0 && (parts.get("lesson") === "1" || state.take !== null);
+  state.repeat = parts.get("repeat") === "1";
   state.camera = CAMERAS.includes(parts.get("camera")) ? parts.get("camera") : "room";
   state.turn = number("turn", 0, -1e3, 1e3);
   state.tilt = number("tilt", 0, -1.6, 1.6);

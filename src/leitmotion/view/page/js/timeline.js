@@ -37,10 +37,11 @@ on("change", () => timeRows.forEach((row) => row.change?.()));
 on("frame", () => {
   const pair = pairOnShow();
   // Tags of two near moments stand side by side.
-  const near = pair ? across(pair.two - pair.one) : Infinity;
-  const push = Math.max(0, TAG_WIDTH - near) / 2;
-  moveLine(0, shownTime(), pair ? "1 " : "", -push);
-  moveLine(1, pair ? pair.two : null, "2 ", push);
+  const two = pair ? pair.two : typicalMoment(state.time);
+  const near = two === null ? Infinity : across(two - shownTime());
+  const push = (Math.max(0, TAG_WIDTH - Math.abs(near)) / 2) * (near < 0 ? -1 : 1);
+  moveLine(0, shownTime(), two === null ? "" : "1 ", -push);
+  moveLine(1, two, "2 ", push);
   for (const row of timeRows) row.frame?.();
 });
 
