@@ -256,12 +256,12 @@ def _lowness(points: np.ndarray, weights: np.ndarray) -> np.ndarray:
 
 
 def _extent(points: np.ndarray) -> float:
-    """Median diagonal of the box around the points that are seen."""
-    seen = np.isfinite(points).all(axis=2).any(axis=1)
-    if not seen.any():
+    """How large the body is as it is held: twice the way from its middle to the farthest point, median over frames."""
+    seen = points[np.isfinite(points).all(axis=2).any(axis=1)]
+    if not len(seen):
         return 0.0
-    box = np.nanmax(points[seen], axis=1) - np.nanmin(points[seen], axis=1)
-    return float(np.median(np.linalg.norm(box, axis=1)))
+    away = np.linalg.norm(seen - np.nanmean(seen, axis=1, keepdims=True), axis=2)
+    return float(2 * np.median(np.nanmax(away, axis=1)))
 
 
 def _after_one_another(pieces: Sequence[Recording]) -> Recording:
