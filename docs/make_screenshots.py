@@ -72,6 +72,7 @@ VIEWS = (
     View("linked-hover", prepare=point_at_a_cell),
     View("held-on-stripe", prepare=hold_a_stripe),
     View("pattern-chosen", address="t=35.4&pattern=B"),
+    View("lesson", address="pattern=B&take=2&t=17.3"),
     View("empty", recording=LIE, address="t=2.2"),
     View("tablet", width=900, height=1300, whole=True),
     View("tablet-pair", width=900, height=1000, address="t=19.3&u=36.3"),

@@ -13,7 +13,7 @@ from leitmotion.cli.documents import Document, patterns_result, residual_result
 from leitmotion.cli.finding import search, search_left_over, show_patterns, show_residual, warnings_of
 from leitmotion.cli.inputs import Input
 from leitmotion.cli.lesson import lesson_option, teach
-from leitmotion.cli.options import Options, as_json, common, examples, force, output, takes_inputs
+from leitmotion.cli.options import Options, as_json, common, examples, output, takes_inputs
 from leitmotion.cli.outputs import check_output, write_documents, write_figure
 from leitmotion.cli.pages import write_page
 from leitmotion.cli.progress import Progress
@@ -56,7 +56,11 @@ COLUMNS = (
 )
 @summary_options
 @lesson_option
-@force
+@click.option(
+    "--force",
+    is_flag=True,
+    help="Replace an .html file that Leitmotion did not write; with --summary a recording of other content.",
+)
 @as_json
 @common()
 def patterns(

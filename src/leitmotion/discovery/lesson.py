@@ -9,8 +9,8 @@ are uncertain. *Phase* is the share of the typical occurrence that has passed, 0
 
 References
 ----------
-Tang, Leung, Komura, Shum, *Finding repetitive patterns in 3D human motion captured data* (2008), section 5, which names
-lessons in dance as a use of moves that recur.
+Tang, Leung, Komura, Shum, *Finding repetitive patterns in 3D human motion captured data* (2008): its
+conclusion names lessons as a use of what recurs, frequent movements first and then their variations.
 """
 
 from __future__ import annotations

@@ -2,8 +2,8 @@
 
 References
 ----------
-Tang, Leung, Komura, Shum, *Finding repetitive patterns in 3D human motion captured data* (2008), section 5, which names
-summaries of a recording as a use of its patterns.
+Tang, Leung, Komura, Shum, *Finding repetitive patterns in 3D human motion captured data* (2008): its
+conclusion names summaries of a recording as a use of what recurs in it.
 """
 
 from __future__ import annotations
