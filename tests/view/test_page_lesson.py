@@ -167,6 +167,18 @@ def test_the_address_opens_the_same_view(page: Any, open_page: Open, practice: P
     assert again["time"] == pytest.approx(now["time"], abs=0.01)
 
 
+def test_the_present_one_is_in_sight_in_a_long_list(open_page: Open, practice: Path) -> None:
+    probe = open_page(practice, "lesson=1")
+    count = len(steps(probe)[0]["takes"])
+    name = "ABCDEFGH"[steps(probe)[0]["pattern"]]
+    page = open_page(practice, f"pattern={name}&take={count}", height=700)
+    now = state(page)
+    assert now["time"] == pytest.approx(steps(page)[0]["takes"][-1]["start"], abs=0.01)
+    box, present = page.locator(".steps").bounding_box(), page.locator(".take[aria-current]").bounding_box()
+    assert box["y"] <= present["y"]
+    assert present["y"] + present["height"] <= box["y"] + box["height"]
+
+
 @pytest.mark.parametrize(
     "hash_", ["take=3", "pattern=A&take=x", "pattern=A&take=999", "pattern=Q&take=1&lesson=1"]
 )

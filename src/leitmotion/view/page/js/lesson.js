@@ -191,7 +191,7 @@ if (lessonSteps.length) {
 // The list scrolls, never the page.
 function keepInSight(button) {
   const box = button.closest(".steps");
-  const [top, foot] = [button.offsetTop - box.offsetTop, button.offsetTop - box.offsetTop + button.offsetHeight];
+  const [top, foot] = [button.offsetTop, button.offsetTop + button.offsetHeight];
   if (top < box.scrollTop) box.scrollTop = top - 40;
   else if (foot > box.scrollTop + box.clientHeight) box.scrollTop = foot - box.clientHeight + 8;
 }

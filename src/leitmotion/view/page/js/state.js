@@ -105,6 +105,7 @@ function readHash(hash = location.hash) {
   const takes = chosen < 0 ? 0 : takesOf(chosen).length;
   const take = number("take", null, 1, Math.max(takes, 1));
   state.take = takes && take !== null ? Math.round(take) - 1 : null;
+  if (state.take !== null && !parts.has("t")) state.time = takesOf(chosen)[state.take].start;
   state.lesson = lessonSteps.length > 0 && (parts.get("lesson") === "1" || state.take !== null);
   state.repeat = parts.get("repeat") === "1";
   state.camera = CAMERAS.includes(parts.get("camera")) ? parts.get("camera") : "room";
