@@ -14,6 +14,7 @@ import leitmotion
 from leitmotion import io
 from leitmotion.body import Body, BodyMap
 from leitmotion.datasets import Session
+from leitmotion.discovery.lesson import Difference, Lesson, Step, Variation
 from leitmotion.discovery.pattern import Pattern, PatternPair, Patterns
 from leitmotion.evaluation import FoundPatterns, PatternScores, PatternTruth, RunCount
 from leitmotion.features.sequence import FeatureSequence
@@ -29,6 +30,7 @@ from leitmotion.motion import (
 )
 from leitmotion.motion.noun import Noun
 from leitmotion.similarity import Alignment, SimilarityMatrix
+from leitmotion.synthesis import Summary
 
 
 def samples():
@@ -61,6 +63,11 @@ def samples():
     count = RunCount("walk", 0, 3, 2, 2, 1, 3)
     yield count
     yield PatternScores(3, 1, recurring=("walk",), start_errors_s=(0.1, -0.2), counts=(count,))
+    difference = Difference("head", 0.1, 0.4, [0.0, 0.1, 0.0])
+    variation = Variation(1, 3, 9, 0.05, 1.2, -0.1, 0.5, (difference,), [[0, 3], [2, 8]])
+    step = Step("A", "cyclic", 2, 0.075, 0, 0, 3, (variation,))
+    yield from (difference, variation, step, Lesson((step,), 120, 1.6, "px", turned=False))
+    yield Summary(motion, spans, spans)
 
 
 SAMPLES = {f"{type(noun).__name__}-{k}": noun for k, noun in enumerate(samples())}
