@@ -113,6 +113,8 @@ def test_every_feature_is_searched_and_shown(run: Run, made: Path, features: str
     told = run("report", made / "jacks.bvh", "--features", features, "-o", "page.html")
     assert told.exit_code == 0, told.stderr
     assert Path("page.html").stat().st_size > 10000
+    left_over = run("patterns", made / "jacks.bvh", "--features", features, "--residual", "--json")
+    assert "residual" in json.loads(left_over.stdout)["result"]
 
 
 def test_the_features_that_may_be_typed_are_those_there_are() -> None:

@@ -43,12 +43,13 @@ def search(opened: Opened, options: Options, progress: Progress) -> Patterns:
         return find_patterns(recording, body_map=roles, **options.searching)
 
 
-def search_left_over(body: Body, found: Patterns, progress: Progress) -> Residual:
+def search_left_over(opened: Opened, found: Patterns, progress: Progress) -> Residual:
     """Search what the patterns left over, telling what goes on."""
     from leitmotion.api import search_residual
 
-    progress.say(f"Looking through what is left of {body.name}")
-    return search_residual(body, found)
+    progress.say(f"Looking through what is left of {opened.body.name}")
+    recording, roles = opened.compared_by(str(found.parameters["feature"]))
+    return search_residual(recording, found, body_map=roles)
 
 
 def warnings_of(opened: Opened, found: Patterns) -> list[str]:

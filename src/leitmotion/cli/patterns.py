@@ -87,7 +87,7 @@ def patterns(
         found = search(opened, options, progress)
         if options.output is not None and options.output.suffix.lower() in OF_ONE:
             _write_one(options.output, opened, found, options, progress)
-        missed = search_left_over(opened.body, found, progress) if residual else None
+        missed = search_left_over(opened, found, progress) if residual else None
 
         def show(console: Console) -> None:
             show_patterns(console, found, seconds=opened.source[0]["seconds"], body=opened.body)
