@@ -13,6 +13,7 @@ tells how it was read.
 
 from __future__ import annotations
 
+from bisect import bisect_left, bisect_right
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
@@ -299,35 +300,33 @@ def _merge(
 ) -> list[list[Match]]:
     """Chain matches of windows that follow one another to places that do, within slope [1/2, 3/2].
 
-    Both sides of a chain stay within one left-over stretch and do not overlap.
+    Both sides of a chain stay within one left-over stretch and do not overlap. The matches of a window stand in
+    order of their places, at least a window apart.
     """
-    starts = np.array([a for a, _ in spans])
+    starts = [start for start, _ in spans]
     chains: list[list[Match]] = []
-    open_chains: list[list[Match]] = []
+    growing: list[list[Match]] = []
     for row in matches:
-        free = list(row)
-        following: list[list[Match]] = []
-        for chain in sorted(open_chains, key=lambda c: -sum(match.correlation for match in c)):
-            near = [match for match in free if _follows(chain, match, starts, length)]
-            if near:
-                best = min(near, key=lambda m: abs(m.place - chain[-1].place - length))
-                free.remove(best)
-                chain.append(best)
-                following.append(chain)
-        fresh = [[match] for match in free]
+        places = [match.place for match in row]
+        taken: set[int] = set()
+        grown = []
+        for chain in sorted(growing, key=lambda c: -sum(match.correlation for match in c)):
+            last = chain[-1]
+            wanted = last.place + length
+            nearest = bisect_left(places, wanted)
+            near = [k for k in (nearest - 1, nearest) if 0 <= k < len(row) and k not in taken]
+            k = min(near, key=lambda k: abs(places[k] - wanted), default=None)
+            if (
+                k is not None
+                and row[k].window == last.window + length
+                and 2 * abs(places[k] - wanted) <= length
+                and row[k].window + length <= chain[0].place
+                and bisect_right(starts, places[k]) == bisect_right(starts, last.place)
+            ):
+                taken.add(k)
+                chain.append(row[k])
+                grown.append(chain)
+        fresh = [[match] for k, match in enumerate(row) if k not in taken]
         chains += fresh
-        open_chains = following + fresh
+        growing = grown + fresh
     return chains
-
-
-def _follows(chain: Sequence[Match], match: Match, starts: np.ndarray, length: int) -> bool:
-    last = chain[-1]
-    return (
-        match.window == last.window + length
-        and 2 * abs(match.place - last.place - length) <= length
-        and match.window + length <= chain[0].place
-        and bool(
-            np.searchsorted(starts, match.place, side="right")
-            == np.searchsorted(starts, last.place, side="right")
-        )
-    )
