@@ -330,10 +330,18 @@ def _figure_7() -> Figure:
     ])  # fmt: skip
 
 
+def _figure_13() -> Figure:
+    from bench_calibration import calibrated
+    from leitmotion.view import plot_calibration
+
+    return plot_calibration(calibrated("posture"), width=6.4)
+
+
 FIGURES: dict[str, Any] = {
     "p-06-matrix": _figure_6,
     "p-07-dark-patterns": _figure_7,
     "p-08-tracing": lambda: tracing(recorded(DANCE), (4.2, 8.0), (1.4, 5.2)),
     "p-10-family": lambda: cyclic_family(recorded(DANCING)),
     "p-12-peaks": lambda: cycle_peaks(recorded(DANCING)),
+    "p-13-threshold": _figure_13,
 }
