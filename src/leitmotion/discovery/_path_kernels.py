@@ -90,8 +90,10 @@ def walk_back(steps, row_offsets, seg_start, seg_at, rows, columns, width, short
 
 
 @njit(cache=True, nogil=True)
-def measure_paths(a, width, theta, still, moving, points, offsets, sampled, kept, cost, background, gained):
-    """Trim each path to where it is alike and in motion at both ends, and measure it.
+def measure_paths(
+    a, width, theta, still, moving, clear, points, offsets, sampled, kept, cost, background, gained
+):
+    """Trim each path to where it gains more than `clear` and is in motion at both ends, and measure it.
 
     Fills kept (S, 2), the points that are left, none where nothing is; cost, background and gained (S,).
     """
@@ -113,7 +115,7 @@ def measure_paths(a, width, theta, still, moving, points, offsets, sampled, kept
             gain[k] = 1.0 - d[k] / min(theta[i], theta[j])
             if still[i] or still[j]:
                 gain[k] = -0.1
-            if gain[k] > 0 and moving[i] and moving[j]:
+            if gain[k] > clear and moving[i] and moving[j]:
                 begin, end = min(begin, k), k + 1
         kept[s, 0], kept[s, 1] = begin, max(begin, end)
         if begin >= end:

@@ -18,26 +18,24 @@ from typing import Any
 
 import numpy as np
 
-from leitmotion.discovery.cuts import CUTS, cutter
-from leitmotion.discovery.families import Run, cyclic_runs
+from leitmotion.discovery.cuts import CUTS
 from leitmotion.discovery.pattern import Patterns
 from leitmotion.discovery.refine import Refiner
-from leitmotion.discovery.returns import returns_of
+from leitmotion.discovery.search import Criteria, search
 from leitmotion.discovery.stripes import Likeness, likeness
-from leitmotion.discovery.themes import themes_of
 from leitmotion.discovery.tracing import trace_stripes
-from leitmotion.discovery.writing import Scribe, length_in_words
+from leitmotion.discovery.writing import Found, Scribe, length_in_words
 from leitmotion.features.resampling import resample
 from leitmotion.features.sequence import FeatureSequence
 from leitmotion.motion.errors import ParameterError
 from leitmotion.similarity import Distances
 
 WORKING_RATE = 30.0  # hertz
-MAX_DISTANCE = 0.08  # body sizes: mean distance of the joints of two postures that are alike
+MAX_DISTANCE = 0.056  # body sizes: mean distance of the joints of two postures that are alike
 MIN_AMPLITUDE = 0.012  # body sizes: what the joints must move, on average, not to be still
-MIN_CONTRAST = 0.4  # a stripe must be this much nearer than its surroundings
-MIN_PERIOD_S = 0.25
-MIN_AGREEMENT = 0.5  # of the pairs of occurrences must be alike
+MIN_CONTRAST = 0.3  # a stripe must be this much nearer than its surroundings
+WIDER = 1.4  # times the distance of what is alike: so near is enough in what is left over
+CLEARER = 0.4  # where this much nearer than its surroundings
 MISS_S = 600.0  # what comes nearest is looked for among stretches this far apart
 
 
@@ -104,25 +102,18 @@ def find_recurrences(
         )
         return Patterns((), (), features.rate, parameters, miss)
     distances = Distances(work)
-    alike = likeness(distances, max_distance=max_distance, min_amplitude=min_amplitude)
-    traced = trace_stripes(distances, alike, max_distance=max_distance, min_duration_s=min_duration_s)
-    parameters |= traced.limits
     shortest = round(min_duration_s * WORKING_RATE)
-    stripes = [
-        s for s in traced.stripes if s.contrast >= min_contrast and s.lag >= MIN_PERIOD_S * WORKING_RATE
-    ]
-    runs = cyclic_runs(stripes, cutter(cuts, alike.speed, work.values))
-    themes = themes_of(runs, stripes)
+    criteria = Criteria(max_distance, min_contrast, min_amplitude, shortest, cuts)
     refine = Refiner(features, WORKING_RATE, max_distance)
-    for theme in themes:
-        theme.runs = _settled([refine.run(run) for run in theme.runs])
-    returns = returns_of(themes, stripes, distances, alike, shortest=shortest, min_contrast=min_contrast)
-    for item in returns:
-        item.spans = refine.spans(item.spans)
-
-    scribe = Scribe(features, distances, alike, max_distance)
-    found = [scribe.cyclic(theme) for theme in themes] + [scribe.acyclic(item) for item in returns]
-    found = [item for item in found if item.agreement >= MIN_AGREEMENT]
+    seen = search(distances, criteria, refine)
+    parameters |= seen.limits
+    found = Scribe(features, distances, criteria).describe(seen)
+    left = _left_over(work, found, features.rate)
+    if left is not None:
+        wider = criteria._replace(max_distance=WIDER * max_distance, min_contrast=max(CLEARER, min_contrast))
+        found += Scribe(features, distances, wider).describe(search(left, wider, refine))
+    alike = likeness(distances, max_distance=max_distance, min_amplitude=min_amplitude)
+    scribe = Scribe(features, distances, criteria)
     if stillness:
         found += [scribe.held(spans) for spans in _held_postures(distances, alike, max_distance, shortest)]
     written = scribe.write(found)
@@ -136,20 +127,16 @@ def find_recurrences(
     )
 
 
-def _settled(runs: Sequence[Run]) -> list[Run]:
-    """Runs of one theme without overlap: a later run gives up the cycles that begin before the earlier one ends."""
-    settled: list[Run] = []
-    for run in sorted(runs, key=lambda run: run.start):
-        if settled and run.start < settled[-1].stop:
-            last = settled[-1]
-            borders = [b for b in run.borders if b >= last.borders[-1]]
-            if len(borders) < 2:
-                last.stop = max(last.stop, run.stop)
-                continue
-            last.stop = min(last.stop, borders[0])
-            run = Run(max(run.start, last.stop), run.stop, run.period, run.stripes, run.support, borders)
-        settled.append(run)
-    return settled
+def _left_over(work: FeatureSequence, found: Sequence[Found], rate: float) -> Distances | None:
+    """What no pattern explains, all else hidden; None where too little is left."""
+    ratio = rate / work.rate
+    taken = np.zeros(len(work), bool)
+    for item in found:
+        for start, stop, _, _ in item.pattern.stretches:
+            taken[int(start / ratio) : int(np.ceil(stop / ratio))] = True
+    if taken.all():
+        return None
+    return Distances(work.replace(values=np.where(taken[:, None], np.nan, work.values)))
 
 
 def _held_postures(

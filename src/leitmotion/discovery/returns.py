@@ -25,6 +25,10 @@ from leitmotion.discovery.themes import HOLDS, Theme
 from leitmotion.similarity import Distances
 
 FREE = 0.3  # an acyclic stretch may overlap what is already explained by this share
+PARTS = 24  # ends of other stripes inside a stretch at which it is tried in parts
+AGREED = (
+    0.75  # share of the stripes that must have begun, and not yet ended, where an occurrence begins and ends
+)
 
 
 @dataclass
@@ -33,6 +37,8 @@ class Return:
 
     spans: list[tuple[float, float]]
     stripes: list[Stripe]
+    covered: np.ndarray
+    """(K, 2): from where to where in the first stretch each stripe shows it."""
 
 
 def returns_of(
@@ -72,7 +78,7 @@ def returns_of(
     def rest_of(stripes: Sequence[Stripe]) -> list[Stripe | None]:
         """What is left of stripes; None where that is too short or not clear."""
         free = [~taken[stripe.path[:, 0]] & ~taken[stripe.path[:, 1]] for stripe in stripes]
-        cut = [k for k, kept in enumerate(free) if kept.mean() < 1 - FREE]
+        cut = [k for k, kept in enumerate(free) if (~kept).sum() > min(FREE * len(kept), shortest / 2)]
         rests: list[Stripe | None] = list(stripes)
         paths = [part(stripes[k], free[k]) for k in cut]
         for k, rest in zip(cut, measure(paths, distances, alike), strict=True):
@@ -87,7 +93,7 @@ def returns_of(
             for rest in rests
         ]
 
-    left = _Left([rest for rest in rest_of(stripes) if rest is not None])
+    left = _Left([rest for rest in rest_of(stripes) if rest is not None], shortest)
     found = []
     while len(left.stripes):
         best = left.best()
@@ -108,16 +114,51 @@ def _take(taken: np.ndarray, spans: Sequence[tuple[float, float]]) -> None:
 class _Left:
     """The stripes that are left, clearest first, and how much each of their stretches would explain."""
 
-    def __init__(self, stripes: Sequence[Stripe]) -> None:
+    def __init__(self, stripes: Sequence[Stripe], shortest: int) -> None:
+        self.shortest = shortest
         self.stripes = np.array([None, *stripes], dtype=object)[1:]
         self.spans = _spans(stripes)
         self.scores = np.full((len(stripes), 2), np.nan)
         self._sort()
 
     def best(self) -> Return:
-        """The movement that explains most, with everywhere that it comes back."""
+        """The movement that explains most, with everywhere that it comes back.
+
+        A part of it that comes back elsewhere, too, goes first; and it begins and ends where most of its stripes do,
+        so that what happened to precede or follow it twice is no part of it.
+        """
         stripe, side = divmod(int(np.argmax(self.scores)), 2)
-        return self._occurrences(stripe, side)
+        first, last = self.spans[stripe, side].tolist()
+        best = self._occurrences(first, last)
+        while (part := self._oftener(first, last, best)) is not None:
+            first, last, best = part
+        return self._core(best)
+
+    def _oftener(self, first: int, last: int, whole: Return) -> tuple[int, int, Return] | None:
+        """The part of a stretch that explains most of those that come back where the whole does not."""
+        inside = (self.spans >= first + self.shortest) & (self.spans <= last - self.shortest)
+        ends = np.unique(self.spans[inside])
+        if len(ends) > PARTS:
+            ends = ends[np.linspace(0, len(ends) - 1, PARTS).round().astype(int)]
+        found = None
+        for start, stop in ((a, b) for end in ends.tolist() for a, b in ((first, end), (end, last))):
+            part = self._occurrences(start, stop)
+            if any(_is_new(span, whole.spans) for span in part.spans) and (
+                found is None or _explained(part) > _explained(found[2])
+            ):
+                found = (start, stop, part)
+        return found
+
+    def _core(self, whole: Return) -> Return:
+        """What most stripes agree on, where there are several and no occurrence is lost."""
+        if len(whole.stripes) < 2:
+            return whole
+        first = int(np.quantile(whole.covered[:, 0], AGREED, method="higher"))
+        last = int(np.quantile(whole.covered[:, 1], 1 - AGREED, method="lower"))
+        if last - first < self.shortest:
+            return whole
+        core = self._occurrences(first, last)
+        return core if len(core.spans) >= len(whole.spans) else whole
 
     def touching(self, spans: Sequence[tuple[float, float]]) -> np.ndarray:
         """Which stripes reach into any of some stretches."""
@@ -150,13 +191,12 @@ class _Left:
         order = np.argsort([-stripe.gain for stripe in self.stripes], kind="stable")
         self.stripes, self.spans, self.scores = self.stripes[order], self.spans[order], self.scores[order]
         for stripe, side in np.argwhere(np.isnan(self.scores)):
-            self.scores[stripe, side] = _explained(self._occurrences(stripe, side))
+            self.scores[stripe, side] = _explained(self._occurrences(*self.spans[stripe, side].tolist()))
 
-    def _occurrences(self, stripe: int, side: int) -> Return:
+    def _occurrences(self, first: int, last: int) -> Return:
         """Everywhere that the movement of one stretch comes back, along the stripes that hold most of it."""
-        first, last = self.spans[stripe, side].tolist()
         spans: list[tuple[float, float]] = [(first, last)]
-        shown = []
+        shown, covered = [], []
         starts, stops = np.maximum(self.spans[..., 0], first), np.minimum(self.spans[..., 1], last)
         for k, here in np.argwhere(stops - starts >= HOLDS * (last - first)).tolist():
             other = self.stripes[k]
@@ -165,12 +205,17 @@ class _Left:
             if all(overlap(span, known) == 0 for known in spans):
                 spans.append(span)
                 shown.append(other)
-        return Return(sorted(spans), shown)
+                covered.append((starts[k, here], stops[k, here]))
+        return Return(sorted(spans), shown, np.array(covered).reshape(-1, 2))
 
 
 def _spans(stripes: Sequence[Stripe]) -> np.ndarray:
     """Both stretches of each stripe, (S, 2, 2)."""
     return np.array([(stripe.a, stripe.b) for stripe in stripes], np.int64).reshape(-1, 2, 2)
+
+
+def _is_new(span: tuple[float, float], known: Sequence[tuple[float, float]]) -> bool:
+    return all(overlap(span, other) < 0.5 * (span[1] - span[0]) for other in known)
 
 
 def _explained(found: Return) -> float:

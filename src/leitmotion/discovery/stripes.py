@@ -29,6 +29,7 @@ CORRIDOR_S = 0.13  # paths nearer to one another than this are one stripe
 REACH_S = 1.0  # how far around a moment its amplitude is read
 AMPLITUDE_SHARE = 0.5  # alike: nearer than half of what the body moves around that moment
 REST_SHARE = 0.15  # of the greatest speed nearby: slower is a rest between two movements
+CLEAR = 0.2  # of the distance of what is alike: both ends of a stripe are nearer than it by this share
 SAMPLED = 64  # moments a side of a stripe's rectangle that tell its background
 GAP_S = 0.27  # how long a mismatch a path may bridge
 
@@ -176,7 +177,7 @@ def measure_all(
     def fill(part: slice) -> None:
         ends = slice(part.start, part.stop + 1)
         measure_paths(
-            distances.across, distances.width, alike.threshold, alike.still, alike.moving,
+            distances.across, distances.width, alike.threshold, alike.still, alike.moving, CLEAR,
             points, offsets[ends], SAMPLED, kept[part], cost[part], background[part], gain[part],
         )  # fmt: skip
 

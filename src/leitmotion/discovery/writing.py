@@ -3,19 +3,24 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
 
+from leitmotion.discovery.families import TOUCH
 from leitmotion.discovery.pattern import Pattern, PatternPair, cut_at_occurrences, letter
 from leitmotion.discovery.returns import Return
-from leitmotion.discovery.stripes import Likeness, Stripe, measure, part
+from leitmotion.discovery.search import Criteria, Seen
+from leitmotion.discovery.stripes import Stripe, likeness, measure, part
 from leitmotion.discovery.themes import Theme
 from leitmotion.features.sequence import FeatureSequence
 from leitmotion.motion.segmentation import Segmentation
 from leitmotion.similarity import Distances, align
 
 COMPARED = 60  # pairs of occurrences that are aligned to judge a pattern
+AGREED = 1.25  # times the distance of what is alike: two whole occurrences, ends and all, are alike
+MIN_AGREEMENT = 0.5  # of the pairs of occurrences must be alike
 PAIRS = 10_000  # of one pattern that are written down, those of occurrences that follow soonest first
 STRIPES = 2_000  # of one pattern that are written down, those that gain most first
 
@@ -42,17 +47,22 @@ class Written(NamedTuple):
 class Scribe:
     """Writes themes and returns down as nouns, in frames and in the recording's own unit."""
 
-    def __init__(
-        self, features: FeatureSequence, distances: Distances, alike: Likeness, max_distance: float
-    ) -> None:
+    def __init__(self, features: FeatureSequence, distances: Distances, criteria: Criteria) -> None:
         self.ratio = features.rate / distances.features.rate
         self.frames = len(features)
         self.rate = features.rate
         self.scale = features.scale
         self.unit = features.unit
         self.distances = distances
-        self.alike = alike
-        self.max_distance = max_distance
+        self.alike = likeness(
+            distances, max_distance=criteria.max_distance, min_amplitude=criteria.min_amplitude
+        )
+        self.max_distance = criteria.max_distance
+
+    def describe(self, seen: Seen) -> list[Found]:
+        """All of what one pass saw, but for what its own occurrences gainsay."""
+        found = [self.cyclic(theme) for theme in seen.themes] + [self.acyclic(item) for item in seen.returns]
+        return [item for item in found if item.agreement >= MIN_AGREEMENT]
 
     def cyclic(self, theme: Theme) -> Found:
         """A theme: one occurrence a cycle."""
@@ -64,8 +74,10 @@ class Scribe:
         return self._describe("cyclic", cycles, extents, shown)
 
     def acyclic(self, found: Return) -> Found:
-        """A return: one occurrence a stretch."""
-        return self._describe("acyclic", found.spans, found.spans, found.stripes)
+        """A return: one occurrence a stretch; cyclic where some follow one another without a break."""
+        extents = joined_spans(found.spans)
+        kind = "acyclic" if len(extents) == len(found.spans) else "cyclic"
+        return self._describe(kind, found.spans, extents, found.stripes)
 
     def held(self, spans: list[tuple[float, float]]) -> Found:
         """A posture that is held at several times."""
@@ -116,7 +128,7 @@ class Scribe:
             )
             for k in range(len(occurrences))
         ]
-        agreement = float(np.mean(costs < self.max_distance))
+        agreement = float(np.mean(costs < AGREED * self.max_distance))
         contrast = float(np.mean([s.contrast for s in stripes])) if stripes else 0.0
         clarity = float(np.clip(contrast / 0.75, 0.0, 1.0)) if stripes else agreement
         spans = self._segmentation(occurrences, np.array(scores))
@@ -218,6 +230,28 @@ def length_in_words(distance: float, scale: float, unit: str) -> str:
         Centimetres where the recording has metres, else a share of the body size.
     """
     return f"{distance * scale * 100:.1f} cm" if unit == "m" else f"{distance:.1%} of the body size"
+
+
+def joined_spans(spans: Sequence[tuple[float, float]]) -> list[tuple[float, float]]:
+    """Join stretches that follow one another without a break.
+
+    Parameters
+    ----------
+    spans : sequence of (float, float)
+        Start and stop, in order, without overlap.
+
+    Returns
+    -------
+    list of (float, float)
+        Fewer where some were joined.
+    """
+    joined = [spans[0]]
+    for before, after in pairwise(spans):
+        if after[0] - before[1] <= TOUCH * (after[0] - before[0]):
+            joined[-1] = (joined[-1][0], after[1])
+        else:
+            joined.append(after)
+    return joined
 
 
 def _evidence(stripes: int) -> float:

@@ -1,0 +1,110 @@
+"""Kinds: which cycles of a theme are alike, so that a walk that becomes a run, step by step, is two movements.
+
+Conventions
+-----------
+Moments of the working rate, distances in body sizes.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from itertools import combinations, pairwise
+
+import numpy as np
+
+from leitmotion.discovery.families import Run
+from leitmotion.discovery.themes import Theme
+from leitmotion.similarity import Distances, align
+
+COMPARED = 24  # cycles of a theme that are compared each with each; the others go to the nearest
+FAR = 1.0  # body sizes: what is not seen is this far from all else
+
+
+def part_themes(themes: Sequence[Theme], distances: Distances, max_distance: float) -> list[Theme]:
+    """Part themes whose cycles are not all alike: a walk that becomes a run, step by step.
+
+    Parameters
+    ----------
+    themes : sequence of Theme
+        With the borders of their cycles.
+    distances : Distances
+        Posture distances of N moments.
+    max_distance : float
+        Mean distance along the warping path below which cycles are alike, body sizes.
+
+    Returns
+    -------
+    list of Theme
+        Those of alike cycles, each of two cycles or more.
+    """
+    parted: list[Theme] = []
+    for theme in themes:
+        cycles = [(run, a, b) for run in theme.runs for a, b in pairwise(run.borders)]
+        kinds = _kinds([(a, b) for _, a, b in cycles], distances, max_distance)
+        if kinds.max(initial=0) == 0:
+            parted.append(theme)
+            continue
+        for kind in range(kinds.max() + 1):
+            runs = _runs_of_kind(cycles, kinds, kind)
+            if sum(run.cycles for run in runs) >= 2:
+                inside = Theme(runs).holds(len(distances))
+                shown = [s for s in theme.stripes if (inside[s.path[:, 0]] & inside[s.path[:, 1]]).any()]
+                parted.append(Theme(runs, shown))
+    return parted
+
+
+def _kinds(cycles: Sequence[tuple[float, float]], distances: Distances, max_distance: float) -> np.ndarray:
+    """Which cycles are alike: a number for each, by average linkage of what some of them are apart."""
+    from scipy.cluster.hierarchy import fcluster, linkage
+    from scipy.spatial.distance import squareform
+
+    count = len(cycles)
+    if count < 2:
+        return np.zeros(count, int)
+    some = np.unique(np.linspace(0, count - 1, min(count, COMPARED)).round().astype(int))
+    apart = np.zeros((len(some), len(some)))
+    for x, y in combinations(range(len(some)), 2):
+        apart[x, y] = apart[y, x] = _apart(cycles[some[x]], cycles[some[y]], distances)
+    groups = fcluster(linkage(squareform(apart), "average"), max_distance, "distance") - 1
+    kinds = np.zeros(count, int)
+    for k, cycle in enumerate(cycles):
+        at = np.searchsorted(some, k)
+        if at < len(some) and some[at] == k:
+            kinds[k] = groups[at]
+        else:
+            nearest = [some[np.flatnonzero(groups == g)[0]] for g in range(groups.max() + 1)]
+            kinds[k] = int(np.argmin([_apart(cycle, cycles[n], distances) for n in nearest]))
+    return kinds
+
+
+def _apart(a: tuple[float, float], b: tuple[float, float], distances: Distances) -> float:
+    """Mean distance of two cycles along their warping path; what was not seen is far."""
+    last = len(distances)
+    rows, columns = (range(int(start), min(last, max(int(start) + 2, round(stop)))) for start, stop in (a, b))
+    apart = distances.between(rows, columns)
+    return float(align(np.where(np.isnan(apart), FAR, apart)).cost)
+
+
+def _runs_of_kind(cycles: Sequence[tuple[Run, float, float]], kinds: np.ndarray, kind: int) -> list[Run]:
+    """The cycles of one kind, those that follow one another joined to runs."""
+    runs: list[Run] = []
+    previous = -2
+    for k in np.flatnonzero(kinds == kind).tolist():
+        run, a, b = cycles[k]
+        first, last = a == run.borders[0], b == run.borders[-1]
+        if k == previous + 1 and runs and runs[-1].borders[-1] == a:
+            runs[-1].borders.append(b)
+            runs[-1].stop = run.stop if last else b
+        else:
+            runs.append(
+                Run(
+                    run.start if first else a,
+                    run.stop if last else b,
+                    run.period,
+                    run.stripes,
+                    run.support,
+                    [a, b],
+                )
+            )
+        previous = k
+    return runs

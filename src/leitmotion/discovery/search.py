@@ -1,0 +1,135 @@
+"""Search: one pass over a recording, from its stripes to themes and returns.
+
+Conventions
+-----------
+Moments of the working rate, distances in body sizes.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import NamedTuple
+
+import numpy as np
+
+from leitmotion.discovery.cuts import cutter
+from leitmotion.discovery.families import Run, cyclic_runs, is_near, overlap
+from leitmotion.discovery.kinds import part_themes
+from leitmotion.discovery.refine import Refiner
+from leitmotion.discovery.returns import Return, returns_of
+from leitmotion.discovery.stripes import Likeness, Stripe, likeness, measure
+from leitmotion.discovery.themes import Theme, themes_of
+from leitmotion.discovery.tracing import trace_stripes
+from leitmotion.discovery.units import divide
+from leitmotion.similarity import Distances
+
+MIN_PERIOD_S = 0.25
+FEW = 2  # cycles in a row that may be two movements that come back in one order as well
+
+
+class Criteria(NamedTuple):
+    """What counts as a return."""
+
+    max_distance: float
+    """Body sizes: postures nearer than this are alike."""
+
+    min_contrast: float
+    """How much nearer than its surroundings a stripe is, 0 to 1."""
+
+    min_amplitude: float
+    """Body sizes: what moves less keeps still."""
+
+    shortest: int
+    """Moments that a stretch lasts at least."""
+
+    cuts: str = "stripes"
+    """What cuts a run into cycles."""
+
+
+class Seen(NamedTuple):
+    """What one pass sees."""
+
+    themes: list[Theme]
+    returns: list[Return]
+    limits: dict[str, object]
+    """What was not compared, where a recording is too long."""
+
+
+def search(distances: Distances, criteria: Criteria, refine: Refiner) -> Seen:
+    """Look for what recurs, once.
+
+    Parameters
+    ----------
+    distances : Distances
+        Posture distances of N moments; moments that are NaN are passed over.
+    criteria : Criteria
+        What counts as a return.
+    refine : Refiner
+        Moves borders at the recording's own rate.
+
+    Returns
+    -------
+    Seen
+        Themes first, then returns of what no theme explains.
+    """
+    rate = distances.features.rate
+    alike = likeness(distances, max_distance=criteria.max_distance, min_amplitude=criteria.min_amplitude)
+    traced = trace_stripes(
+        distances, alike, max_distance=criteria.max_distance, min_duration_s=criteria.shortest / rate
+    )
+    stripes = divide(
+        [s for s in traced.stripes if s.contrast >= criteria.min_contrast and s.lag >= MIN_PERIOD_S * rate],
+        distances,
+        alike,
+        max_distance=criteria.max_distance,
+        shortest=criteria.shortest,
+    )
+    stripes = [s for s in stripes if s.contrast >= criteria.min_contrast]
+    runs = cyclic_runs(stripes, cutter(criteria.cuts, alike.speed, np.nan_to_num(distances.features.values)))
+    themes, doubtful = _parted(part_themes(themes_of(runs, stripes), distances, criteria.max_distance))
+    stripes += _first_cycles(doubtful, stripes, distances, alike)
+    for theme in themes:
+        theme.runs = _settled([refine.run(run) for run in theme.runs])
+    returns = returns_of(
+        themes, stripes, distances, alike, shortest=criteria.shortest, min_contrast=criteria.min_contrast
+    )
+    for item in returns:
+        item.spans = refine.spans(item.spans)
+    return Seen(themes, returns, traced.limits)
+
+
+def _parted(themes: Sequence[Theme]) -> tuple[list[Theme], list[Theme]]:
+    """Part what surely is cyclic from what has no run of more than two cycles."""
+    sure = [theme for theme in themes if max(run.cycles for run in theme.runs) > FEW]
+    return sure, [theme for theme in themes if max(run.cycles for run in theme.runs) <= FEW]
+
+
+def _first_cycles(
+    themes: Sequence[Theme], stripes: Sequence[Stripe], distances: Distances, alike: Likeness
+) -> list[Stripe]:
+    """Of stripes of a theme whose two stretches overlap the part up to where they meet: two times, one after another."""
+    runs = [(run.start, run.stop) for theme in themes for run in theme.runs]
+    meeting = [
+        stripe.path[: int(np.searchsorted(stripe.path[:, 0], stripe.b[0]))]
+        for stripe in stripes
+        if is_near(stripe)
+        and overlap(stripe.a, stripe.b) > 0
+        and any(overlap(stripe.a, run) > 0.7 * (stripe.a[1] - stripe.a[0]) for run in runs)
+    ]
+    return [piece for piece in measure(meeting, distances, alike) if piece is not None]
+
+
+def _settled(runs: Sequence[Run]) -> list[Run]:
+    """Runs of one theme without overlap: a later run gives up the cycles that begin before the earlier one ends."""
+    settled: list[Run] = []
+    for run in sorted(runs, key=lambda run: run.start):
+        if settled and run.start < settled[-1].stop:
+            last = settled[-1]
+            borders = [b for b in run.borders if b >= last.borders[-1]]
+            if len(borders) < 2:
+                last.stop = max(last.stop, run.stop)
+                continue
+            last.stop = min(last.stop, borders[0])
+            run = Run(max(run.start, last.stop), run.stop, run.period, run.stripes, run.support, borders)
+        settled.append(run)
+    return settled

@@ -1,0 +1,129 @@
+"""Units: where a stripe that shows several movements in a row is divided into one stripe for each.
+
+Conventions
+-----------
+Moments of the working rate. A *pause* is a moment at which the body is slower than shortly before and after. A movement
+is *closed* when it comes back, at a pause, to the posture in which it began: a squat, a kick, a step to the side and
+back. What comes back twice in one order (a kick, then a squat) is one long stripe; the pause between them, at which the
+first has closed or the second is about to begin what it closes, parts it in two.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from itertools import pairwise
+
+import numpy as np
+
+from leitmotion.discovery.families import is_near
+from leitmotion.discovery.stripes import Likeness, Stripe, measure
+from leitmotion.similarity import Distances
+
+PAUSE = 0.8  # of the speed before and after: slower is a pause
+AROUND_S = 0.5  # how far before and after
+SETTLE_S = 0.2  # how near to an end of a movement its posture is looked for
+BACK = 0.35  # of how far a movement leads away: it is back when it is this near again
+AWAY = 2.0  # times the distance of what is alike: how far a movement must lead away before it comes back
+
+
+def divide(
+    stripes: Sequence[Stripe], distances: Distances, alike: Likeness, *, max_distance: float, shortest: int
+) -> list[Stripe]:
+    """Divide the stripes that show several closed movements in a row.
+
+    Of a movement that goes on without a break (a near stripe) only one cycle is asked: where that holds several
+    movements, the stripe is divided; else it is a family of cycles and stays whole.
+
+    Parameters
+    ----------
+    stripes : sequence of Stripe
+        As traced.
+    distances : Distances
+        Posture distances of N moments.
+    alike : Likeness
+        What counts as alike.
+    max_distance : float
+        Body sizes: what is nearer is the same posture.
+    shortest : int
+        Shortest stretch, moments.
+
+    Returns
+    -------
+    list of Stripe
+        The whole ones and the pieces of the others, at least `shortest` long.
+    """
+    kept, paths = [], []
+    for stripe in stripes:
+        cuts = []
+        if not is_near(stripe) or _closures(_cycle(stripe), distances, alike, max_distance, shortest):
+            cuts = _closures(stripe.path, distances, alike, max_distance, shortest)
+        if cuts:
+            paths += [stripe.path[start:stop] for start, stop in pairwise([0, *cuts, len(stripe.path)])]
+        else:
+            kept.append(stripe)
+    pieces = [piece for piece in measure(paths, distances, alike) if piece is not None]
+    return kept + [p for p in pieces if min(p.a[1] - p.a[0], p.b[1] - p.b[0]) >= shortest]
+
+
+def _cycle(stripe: Stripe) -> np.ndarray:
+    """The path of a near stripe as far as its first cycle goes."""
+    earlier = stripe.path[:, 0]
+    return stripe.path[: int(np.searchsorted(earlier, earlier[0] + stripe.lag)) + 1]
+
+
+def _closures(
+    path: np.ndarray, distances: Distances, alike: Likeness, max_distance: float, shortest: int
+) -> list[int]:
+    """Places along a path at which one closed movement gives way to another."""
+    last = len(path) - 1
+    if last < 2 * shortest:
+        return []
+    rate = distances.features.rate
+    pauses = _pauses(alike.speed[path].mean(axis=1), rate)
+    settle = max(1, round(SETTLE_S * rate))
+    cuts = []
+    at = 0
+    for p in pauses:
+        if (
+            p - at >= shortest
+            and last - p >= shortest
+            and _closes(path, at, p, distances, max_distance, settle)
+        ):
+            cuts.append(p)
+            at = p
+    end, reached = last, cuts[-1] if cuts else 0
+    for p in reversed(pauses):
+        if p - reached < shortest:
+            break
+        if end - p >= shortest and _closes(path, p, end, distances, max_distance, settle):
+            cuts.append(p)
+            end = p
+    return sorted(cuts)
+
+
+def _closes(
+    path: np.ndarray, start: int, stop: int, distances: Distances, max_distance: float, settle: int
+) -> bool:
+    """Whether both stretches between two places lead away from a posture and back to it."""
+    for side in path[start : stop + 1].T:
+        first, final = int(side[0]), int(side[-1])
+        apart = distances.between(range(first, first + 1), range(first, final + 1))[0]
+        farthest = np.nanmax(apart, initial=0)
+        if farthest < AWAY * max_distance or np.nanmin(apart[-1 - settle :], initial=np.inf) > max(
+            max_distance, BACK * farthest
+        ):
+            return False
+    return True
+
+
+def _pauses(speed: np.ndarray, rate: float) -> list[int]:
+    from scipy.ndimage import minimum_filter1d
+
+    around = max(1, round(AROUND_S * rate))
+    lowest = minimum_filter1d(speed, 2 * max(1, around // 2) + 1)
+    found: list[int] = []
+    for p in np.flatnonzero(speed <= lowest).tolist():
+        before, after = speed[max(0, p - around) : p + 1].max(), speed[p : p + around + 1].max()
+        if speed[p] < PAUSE * min(before, after) and not (found and p - found[-1] < around // 2):
+            found.append(p)
+    return found
