@@ -25,13 +25,14 @@ from leitmotion.discovery.search import Criteria, search
 from leitmotion.discovery.stripes import Likeness, likeness
 from leitmotion.discovery.tracing import trace_stripes
 from leitmotion.discovery.writing import Found, Scribe, length_in_words
+from leitmotion.features.catalogue import FEATURES
 from leitmotion.features.resampling import resample
 from leitmotion.features.sequence import FeatureSequence
 from leitmotion.motion.errors import ParameterError
 from leitmotion.similarity import Distances
 
 WORKING_RATE = 30.0  # hertz
-MAX_DISTANCE = 0.056  # body sizes: mean distance of the joints of two postures that are alike
+MAX_DISTANCE = FEATURES["posture"].alike["equal"]  # body sizes: equal error rate of postures labelled by eye
 MIN_AMPLITUDE = 0.012  # body sizes: what the joints must move, on average, not to be still
 MIN_CONTRAST = 0.3  # a stripe must be this much nearer than its surroundings
 WIDER = 1.4  # times the distance of what is alike: so near is enough in what is left over

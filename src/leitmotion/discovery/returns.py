@@ -22,6 +22,7 @@ import numpy as np
 from leitmotion.discovery.families import overlap
 from leitmotion.discovery.stripes import Likeness, Stripe, measure, part
 from leitmotion.discovery.themes import HOLDS, Theme
+from leitmotion.discovery.units import Alternates
 from leitmotion.similarity import Distances
 
 FREE = 0.3  # an acyclic stretch may overlap what is already explained by this share
@@ -46,6 +47,7 @@ def returns_of(
     stripes: Sequence[Stripe],
     distances: Distances,
     alike: Likeness,
+    alternates: Alternates,
     *,
     shortest: int,
     min_contrast: float,
@@ -62,6 +64,8 @@ def returns_of(
         Posture distances of N moments.
     alike : Likeness
         What counts as alike.
+    alternates : callable
+        Tells movements of alternating sides, which stay together; see :func:`leitmotion.discovery.units.alternation`.
     shortest : int
         Shortest occurrence, moments.
     min_contrast : float
@@ -93,7 +97,7 @@ def returns_of(
             for rest in rests
         ]
 
-    left = _Left([rest for rest in rest_of(stripes) if rest is not None], shortest)
+    left = _Left([rest for rest in rest_of(stripes) if rest is not None], shortest, alternates)
     found = []
     while len(left.stripes):
         best = left.best()
@@ -114,8 +118,9 @@ def _take(taken: np.ndarray, spans: Sequence[tuple[float, float]]) -> None:
 class _Left:
     """The stripes that are left, clearest first, and how much each of their stretches would explain."""
 
-    def __init__(self, stripes: Sequence[Stripe], shortest: int) -> None:
+    def __init__(self, stripes: Sequence[Stripe], shortest: int, alternates: Alternates) -> None:
         self.shortest = shortest
+        self.alternates = alternates
         self.stripes = np.array([None, *stripes], dtype=object)[1:]
         self.spans = _spans(stripes)
         self.scores = np.full((len(stripes), 2), np.nan)
@@ -143,8 +148,11 @@ class _Left:
         found = None
         for start, stop in ((a, b) for end in ends.tolist() for a, b in ((first, end), (end, last))):
             part = self._occurrences(start, stop)
-            if any(_is_new(span, whole.spans) for span in part.spans) and (
-                found is None or _explained(part) > _explained(found[2])
+            if found is not None and _explained(part) <= _explained(found[2]):
+                continue
+            rest = (stop, last) if start == first else (first, start)
+            if any(_is_new(span, whole.spans) for span in part.spans) and not self.alternates(
+                (start, stop), rest
             ):
                 found = (start, stop, part)
         return found

@@ -20,10 +20,11 @@ from leitmotion.discovery.returns import Return, returns_of
 from leitmotion.discovery.stripes import Likeness, Stripe, likeness, measure
 from leitmotion.discovery.themes import Theme, themes_of
 from leitmotion.discovery.tracing import trace_stripes
-from leitmotion.discovery.units import divide
+from leitmotion.discovery.units import alternation, divide
 from leitmotion.similarity import Distances
 
 MIN_PERIOD_S = 0.25
+ALTERNATES = 1.5  # times the distance of what is alike: so near is a movement to its mirror image
 FEW = 2  # cycles in a row that may be two movements that come back in one order as well
 
 
@@ -77,10 +78,12 @@ def search(distances: Distances, criteria: Criteria, refine: Refiner) -> Seen:
     traced = trace_stripes(
         distances, alike, max_distance=criteria.max_distance, min_duration_s=criteria.shortest / rate
     )
+    alternates = alternation(distances, ALTERNATES * criteria.max_distance)
     stripes = divide(
         [s for s in traced.stripes if s.contrast >= criteria.min_contrast and s.lag >= MIN_PERIOD_S * rate],
         distances,
         alike,
+        alternates,
         max_distance=criteria.max_distance,
         shortest=criteria.shortest,
     )
@@ -91,7 +94,13 @@ def search(distances: Distances, criteria: Criteria, refine: Refiner) -> Seen:
     for theme in themes:
         theme.runs = _settled([refine.run(run) for run in theme.runs])
     returns = returns_of(
-        themes, stripes, distances, alike, shortest=criteria.shortest, min_contrast=criteria.min_contrast
+        themes,
+        stripes,
+        distances,
+        alike,
+        alternates,
+        shortest=criteria.shortest,
+        min_contrast=criteria.min_contrast,
     )
     for item in returns:
         item.spans = refine.spans(item.spans)
@@ -107,7 +116,7 @@ def _parted(themes: Sequence[Theme]) -> tuple[list[Theme], list[Theme]]:
 def _first_cycles(
     themes: Sequence[Theme], stripes: Sequence[Stripe], distances: Distances, alike: Likeness
 ) -> list[Stripe]:
-    """Of stripes of a theme whose two stretches overlap the part up to where they meet: two times, one after another."""
+    """Of stripes of a theme whose two stretches overlap the part up to where they meet: one time after another."""
     runs = [(run.start, run.stop) for theme in themes for run in theme.runs]
     meeting = [
         stripe.path[: int(np.searchsorted(stripe.path[:, 0], stripe.b[0]))]

@@ -5,29 +5,78 @@ Conventions
 Moments of the working rate. A *pause* is a moment at which the body is slower than shortly before and after. A movement
 is *closed* when it comes back, at a pause, to the posture in which it began: a squat, a kick, a step to the side and
 back. What comes back twice in one order (a kick, then a squat) is one long stripe; the pause between them, at which the
-first has closed or the second is about to begin what it closes, parts it in two.
+first has closed or the second is about to begin what it closes, parts it in two. But a step to the left and one to
+the right are one movement: of two movements that are mirror images of one another none is parted from the other.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from itertools import pairwise
 
 import numpy as np
 
 from leitmotion.discovery.families import is_near
 from leitmotion.discovery.stripes import Likeness, Stripe, measure
-from leitmotion.similarity import Distances
+from leitmotion.features.mirror import mirrored
+from leitmotion.features.sequence import FeatureSequence
+from leitmotion.similarity import Distances, align, cross_distance
 
 PAUSE = 0.8  # of the speed before and after: slower is a pause
 AROUND_S = 0.5  # how far before and after
 SETTLE_S = 0.2  # how near to an end of a movement its posture is looked for
 BACK = 0.35  # of how far a movement leads away: it is back when it is this near again
+UNLIKE = 0.7  # of the distance of two movements: a mirror image this much nearer is of the other side
+FAR = 1.0  # body sizes: what is not seen is this far from all else
 AWAY = 2.0  # times the distance of what is alike: how far a movement must lead away before it comes back
 
 
+Alternates = Callable[[tuple[int, int], tuple[int, int]], bool]
+"""Tells of two stretches, frames ``[start, stop)``, whether the one is the other with the sides exchanged."""
+
+
+def alternation(distances: Distances, max_distance: float) -> Alternates:
+    """Prepare to tell movements of alternating sides.
+
+    Parameters
+    ----------
+    distances : Distances
+        Posture distances of N moments.
+    max_distance : float
+        Body sizes: mean distance along the warping path below which mirror images are alike.
+
+    Returns
+    -------
+    callable
+        Always false where the features know no sides, and of movements that are the same on both sides.
+    """
+    features = distances.features
+    image = mirrored(features)
+
+    def alternates(a: tuple[int, int], b: tuple[int, int]) -> bool:
+        if image is None:
+            return False
+        one = features[slice(*a)]
+        exchanged = _cost(one, image[slice(*b)])
+        return exchanged < max_distance and exchanged < UNLIKE * _cost(one, features[slice(*b)])
+
+    return alternates
+
+
+def _cost(a: FeatureSequence, b: FeatureSequence) -> float:
+    """Mean distance along the warping path; what was not seen is far."""
+    apart = cross_distance(a, b).values
+    return float(align(np.where(np.isnan(apart), FAR, apart)).cost)
+
+
 def divide(
-    stripes: Sequence[Stripe], distances: Distances, alike: Likeness, *, max_distance: float, shortest: int
+    stripes: Sequence[Stripe],
+    distances: Distances,
+    alike: Likeness,
+    alternates: Alternates,
+    *,
+    max_distance: float,
+    shortest: int,
 ) -> list[Stripe]:
     """Divide the stripes that show several closed movements in a row.
 
@@ -42,6 +91,8 @@ def divide(
         Posture distances of N moments.
     alike : Likeness
         What counts as alike.
+    alternates : callable
+        Tells movements of alternating sides, which stay together; see :func:`alternation`.
     max_distance : float
         Body sizes: what is nearer is the same posture.
     shortest : int
@@ -55,14 +106,28 @@ def divide(
     kept, paths = [], []
     for stripe in stripes:
         cuts = []
-        if not is_near(stripe) or _closures(_cycle(stripe), distances, alike, max_distance, shortest):
+        cycle = stripe.path if not is_near(stripe) else _cycle(stripe)
+        inner = _closures(cycle, distances, alike, max_distance, shortest)
+        if _without_alternations(cycle, inner, alternates):
             cuts = _closures(stripe.path, distances, alike, max_distance, shortest)
+            cuts = _without_alternations(stripe.path, cuts, alternates)
         if cuts:
             paths += [stripe.path[start:stop] for start, stop in pairwise([0, *cuts, len(stripe.path)])]
         else:
             kept.append(stripe)
     pieces = [piece for piece in measure(paths, distances, alike) if piece is not None]
     return kept + [p for p in pieces if min(p.a[1] - p.a[0], p.b[1] - p.b[0]) >= shortest]
+
+
+def _without_alternations(path: np.ndarray, cuts: Sequence[int], alternates: Alternates) -> list[int]:
+    """The cuts that part no movement from its mirror image."""
+    ends = [0, *cuts, len(path) - 1]
+    moments = path[ends, 0].tolist()
+    return [
+        cut
+        for cut, before, at, after in zip(cuts, moments[:-2], moments[1:-1], moments[2:], strict=True)
+        if not alternates((before, at), (at, after))
+    ]
 
 
 def _cycle(stripe: Stripe) -> np.ndarray:

@@ -3,6 +3,7 @@
 from leitmotion.features.angles import joint_angles
 from leitmotion.features.catalogue import FEATURES, Feature, extract
 from leitmotion.features.markers import marker_posture
+from leitmotion.features.mirror import mirrored
 from leitmotion.features.posture import choose_roles, posture
 from leitmotion.features.resampling import resample
 from leitmotion.features.rotations import joint_rotations
@@ -20,6 +21,7 @@ __all__ = [
     "joint_angles",
     "joint_rotations",
     "marker_posture",
+    "mirrored",
     "posture",
     "resample",
     "velocity",
