@@ -82,12 +82,17 @@ def test_no_two_postures_are_nearer_than_their_blocks_say(wandering, rng):
     theta = np.full(len(wandering), 0.1, np.float32)
     theta[rng.integers(0, 700, 100)] = -1
     bounds = _kernels.block_bounds(distances.across, 3, theta, 3)
-    begins, ends, offsets = _kernels.candidates(*bounds, 3, 3, 0, len(bounds[1]), 1000)
+    begins, ends, offsets, apart, places = _kernels.candidates(
+        distances.across, *bounds, 3, 3, 0, len(bounds[1]), 1000
+    )
     D = self_distance(distances.features).values
     offered = np.zeros(D.shape, bool)
     for c in range(len(offsets) - 1):
         for k in range(offsets[c], offsets[c + 1]):
-            offered[3 * c : 3 * c + 3, begins[k] : ends[k]] = True
+            block = slice(3 * c, min(700, 3 * c + 3)), slice(begins[k], ends[k])
+            offered[block] = True
+            told = apart[places[k] : places[k + 1]].reshape(3, -1)
+            np.testing.assert_array_equal(told[: D[block].shape[0]], D[block])
     near = np.triu(np.minimum.outer(theta, theta) > D, 1)
     assert near.any()
     assert not (near & ~offered).any()

@@ -15,6 +15,7 @@ from leitmotion.similarity._kernels import distances_to
 
 NONE, START, DIAGONAL, STEEP, FLAT = 0, 1, 2, 3, 4  # how a path came into a cell
 TILE = 512  # blocks
+BESIDE = 4  # columns beside an interval whose distances are computed with it: paths widen
 JOINED = 8  # columns: intervals nearer than this are looked at as one
 
 
@@ -71,12 +72,14 @@ def block_bounds(a, width, theta, size):
 
 
 @njit(cache=True, nogil=True)
-def candidates(centres, radius, most, width, size, c0, c1, horizon):
-    """Find where postures may be alike in the rows of blocks c0 to c1: intervals of moments, where a block's begin.
+def candidates(a, centres, radius, most, width, size, c0, c1, horizon):
+    """Find where postures may be alike in the rows of blocks c0 to c1, and how far apart they are there.
 
     The mean of norms is a metric: two moments are at least as far apart as the centres of their blocks less the radii.
+    Returns intervals of moments, where those of each block begin, their distances, one row of a block after another,
+    and where the distances of each interval stand.
     """
-    B = centres.shape[1]
+    N, B = a.shape[1], centres.shape[1]
     M = np.float32(centres.shape[0] // width)
     near = np.zeros((c1 - c0, B), np.bool_)
     C, square = np.empty(TILE, np.float32), np.empty(TILE, np.float32)
@@ -97,16 +100,27 @@ def candidates(centres, radius, most, width, size, c0, c1, horizon):
         for b in range(c, min(B, c + horizon)):
             if near[c - c0, b]:
                 start = b * size
+                stop = min(N, start + size + BESIDE)
                 if found > began and start - ends[found - 1] <= JOINED:
-                    ends[found - 1] = start + size
+                    ends[found - 1] = stop
                     continue
                 if found == begins.size:
                     begins = np.concatenate((begins, np.empty_like(begins)))
                     ends = np.concatenate((ends, np.empty_like(ends)))
-                begins[found], ends[found] = start, start + size
+                begins[found], ends[found] = start, stop
                 found += 1
         offsets[c - c0 + 1] = found
-    return begins[:found], ends[:found], offsets
+    places = np.zeros(found + 1, np.int64)
+    for k in range(found):
+        places[k + 1] = places[k] + size * (ends[k] - begins[k])
+    apart = np.empty(places[found], np.float32)
+    for c in range(c0, c1):
+        for k in range(offsets[c - c0], offsets[c - c0 + 1]):
+            n = ends[k] - begins[k]
+            for r in range(min(size, N - c * size)):
+                at = places[k] + r * n
+                distances_to(a, c * size + r, begins[k], ends[k], 1, width, apart[at : at + n])
+    return begins[:found], ends[:found], offsets, apart, places
 
 
 @njit(cache=True, nogil=True)
@@ -115,6 +129,15 @@ def _sum_of_norms(tile, one, width, square, C):
     n = tile.shape[1]
     for b in range(n):
         C[b] = 0.0
+    if width == 3:
+        for m in range(tile.shape[0] // 3):
+            x, y, z = one[3 * m], one[3 * m + 1], one[3 * m + 2]
+            xs, ys, zs = tile[3 * m], tile[3 * m + 1], tile[3 * m + 2]
+            for b in range(n):
+                dx, dy, dz = xs[b] - x, ys[b] - y, zs[b] - z
+                norm = math.sqrt(dx * dx + dy * dy + dz * dz)
+                C[b] += norm if norm == norm else np.float32(0)
+        return
     for m in range(tile.shape[0] // width):
         for b in range(n):
             square[b] = 0.0
@@ -159,7 +182,7 @@ def step_into(
 @njit(cache=True, nogil=True)
 def align_rows(
     a, width, theta, still, first, still_distance, still_gain, ceiling, least, horizon,
-    i0, i1, size, begins, ends, offsets,
+    i0, i1, size, begins, ends, offsets, apart, places,
     H, S, extended, lo, hi, count, steps, used,
 ):  # fmt: skip
     """Align rows i0 to i1 above the diagonal, by steps (1, 1), (2, 1) and (1, 2).
@@ -206,6 +229,7 @@ def align_rows(
         # Where to look: the union of three lists in order.
         block = i // size - i0 // size
         p, p_stop = offsets[block], offsets[block + 1]
+        known = p
         q, r = 0, 0
         stop = min(N, i + horizon)
         intervals = 0
@@ -239,8 +263,20 @@ def align_rows(
             begin, end = row_lo[m], row_hi[m]
             if used + end - begin > steps.size:
                 return -1 - i, row_offsets, seg_start, seg_at, rows, columns, gains
-            distances_to(a, i, begin, end, 1, width, C)
             n = end - begin
+            at = begin
+            while at < end:  # most distances are known
+                while known < p_stop and ends[known] <= at:
+                    known += 1
+                if known < p_stop and begins[known] <= at:
+                    upto = min(end, ends[known])
+                    length = ends[known] - begins[known]
+                    place = places[known] + (i % size) * length + at - begins[known]
+                    C[at - begin : upto - begin] = apart[place : place + upto - at]
+                else:
+                    upto = min(end, begins[known]) if known < p_stop else end
+                    distances_to(a, i, at, upto, 1, width, C[at - begin :])
+                at = upto
             step_into(
                 C, theta[i], theta[begin:end], still[i], still[begin:end], still_distance, still_gain, ceiling,
                 H[before, begin : end + 2], H[earlier, begin : end + 2], H[now, begin : end + 2],

@@ -30,6 +30,10 @@ NEAR_S = 60.0  # paths nearer to the diagonal are followed first
 STILL_GAIN = -0.1
 
 
+Intervals = tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray, np.ndarray]
+"""Where something may be alike, by row, and how far apart it is; see the kernel ``candidates``."""
+
+
 class Traced(NamedTuple):
     """What a recording's alignment with itself shows."""
 
@@ -112,7 +116,7 @@ def _align(
     a, width, N = distances.across, distances.width, len(distances)
     rate = distances.features.rate
     theta = np.where(alike.still, np.float32(-1), alike.threshold)
-    bounds = _kernels.block_bounds(a, width, theta, BLOCK)
+    centres, radius, most = _kernels.block_bounds(a, width, theta, BLOCK)
     first = np.empty(N, np.int32)
     reach = round(REST_S * rate)
 
@@ -120,14 +124,12 @@ def _align(
         _kernels.first_apart(a, width, alike.threshold, reach, rows.start, rows.stop, first)
 
     share_work(look_ahead, N, 4096)
-    blocks = len(bounds[1])
+    blocks = len(radius)
     per_chunk = CHUNK // BLOCK
 
-    def candidates(c0: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        centres, radius, most = bounds
-        found: tuple[np.ndarray, np.ndarray, np.ndarray] = _kernels.candidates(
-            centres, radius, most, width, BLOCK, c0, min(blocks, c0 + per_chunk), horizon // BLOCK + 2
-        )
+    def candidates(c0: int) -> Intervals:
+        c1, reach = min(blocks, c0 + per_chunk), horizon // BLOCK + 2
+        found: Intervals = _kernels.candidates(a, centres, radius, most, width, BLOCK, c0, c1, reach)
         return found
 
     state = (
