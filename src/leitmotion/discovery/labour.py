@@ -26,6 +26,25 @@ def share_work(do: Callable[[slice], None], count: int, size: int) -> None:
         pass
 
 
+def aside(do: Callable[..., R], *arguments: object) -> R:
+    """Run a kernel in another thread and wait for it: Ctrl-C that falls into a kernel of the main thread is garbled.
+
+    Parameters
+    ----------
+    do : callable
+        A kernel that lets go of the interpreter.
+    *arguments
+        What it takes.
+
+    Returns
+    -------
+    result
+        What it gives.
+    """
+    with ThreadPoolExecutor(1) as pool:
+        return pool.submit(do, *arguments).result()
+
+
 def ahead(do: Callable[[T], R], pieces: Iterable[T]) -> Iterator[R]:
     """Work on the next pieces while one is used; results come in order.
 

@@ -17,7 +17,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from leitmotion.discovery.labour import ahead, share_work
+from leitmotion.discovery.labour import ahead, aside, share_work
 from leitmotion.discovery.stripes import CORRIDOR_S, GAP_S, Likeness, Stripe, measure_all
 from leitmotion.similarity import Distances
 
@@ -144,8 +144,8 @@ def _align(
     ):
         i0 = c0 * BLOCK
         i1 = i0 + CHUNK if i0 + CHUNK < N else N + 3
-        used, row_offsets, *rest = _kernels.align_rows(
-            a, width, alike.threshold, alike.still, first,
+        used, row_offsets, *rest = aside(
+            _kernels.align_rows, a, width, alike.threshold, alike.still, first,
             np.float32(0.5 * max_distance), np.float32(STILL_GAIN), np.float32(GAP_S * rate),
             np.float32(0.2 * shortest), horizon, i0, i1, BLOCK, *intervals, *state, steps, used,
         )  # fmt: skip
@@ -183,8 +183,8 @@ def _follow(live: Live, rate: float, shortest: int) -> tuple[np.ndarray, np.ndar
     total, k = 0, 0
     while k < len(rows) and total < POINTS:
         more = min(len(rows), k + 4096)
-        piece, counts = walk_back(
-            live.steps, live.row_offsets, live.starts, live.places, rows, columns,
+        piece, counts = aside(
+            walk_back, live.steps, live.row_offsets, live.starts, live.places, rows, columns,
             corridor, shortest, k, more, path,
         )  # fmt: skip
         points.append(piece)
