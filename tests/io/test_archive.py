@@ -16,7 +16,14 @@ from leitmotion.body import Body, BodyMap
 from leitmotion.datasets import Session
 from leitmotion.discovery.lesson import Difference, Lesson, Step, Variation
 from leitmotion.discovery.pattern import Pattern, PatternPair, Patterns
-from leitmotion.evaluation import FoundPatterns, PatternScores, PatternTruth, RunCount
+from leitmotion.evaluation import (
+    FoundPatterns,
+    PatternScores,
+    PatternTruth,
+    RunCount,
+    equal_error_rate,
+    errors_at,
+)
 from leitmotion.features.sequence import FeatureSequence
 from leitmotion.io import archive
 from leitmotion.motion import (
@@ -58,6 +65,9 @@ def samples():
     yield SimilarityMatrix(values, "mean_norm", 50.0, 50.0)
     yield Session(motion, spans, empty)
     yield Alignment([[0, 0], [1, 1]], 0.5, 2)
+    labelled = [0.1, 0.4, 0.3, 0.5], [True, True, False, False]
+    yield errors_at(0.35, *labelled, draws=0)
+    yield equal_error_rate(*labelled).replace(check=errors_at(0.35, *labelled))
     yield PatternTruth(spans, [[2, 4]], [[2, 1, 3], [np.nan] * 3], spans)
     yield FoundPatterns(spans, [[0, 3, 3, 9]])
     count = RunCount("walk", 0, 3, 2, 2, 1, 3)

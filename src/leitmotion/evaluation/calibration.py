@@ -16,7 +16,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 import numpy as np
 
@@ -28,8 +27,8 @@ DRAWS = 2000
 Interval = tuple[float, float]
 
 
-@dataclass(frozen=True)
-class ErrorRates:
+@noun
+class ErrorRates(Noun):
     """How often pairs are taken wrongly at one threshold.
 
     Parameters
