@@ -24,7 +24,17 @@ FLOORS = {
     "facade": 6,
     "cli": 7,
 }  # fmt: skip
-FACADE = ("__init__", "api", "calibration", "conversion", "describing", "evaluating", "inspection", "lessons")
+FACADE = (
+    "__init__",
+    "api",
+    "calibration",
+    "conversion",
+    "describing",
+    "evaluating",
+    "inspection",
+    "lessons",
+    "sharing",
+)
 HEAVY = ("numba", "scipy", "matplotlib", "sklearn", "torch", "cv2")
 
 

@@ -20,7 +20,7 @@ from leitmotion.calibration import Calibration, calibrate
 from leitmotion.conversion import Converted, convert
 from leitmotion.datasets import compose_session
 from leitmotion.describing import Recording, Roles, as_body, described, of_body, weighed
-from leitmotion.discovery import Lesson, Pattern, Patterns, Residual
+from leitmotion.discovery import Lesson, Pattern, Patterns, Residual, SharedPattern, SharedPatterns
 from leitmotion.evaluating import evaluate
 from leitmotion.evaluation import FoundPatterns, PatternScores, PatternTruth
 from leitmotion.features import FEATURES, FeatureSequence
@@ -38,6 +38,7 @@ from leitmotion.motion import (
     Trajectories,
 )
 from leitmotion.repairs import Repaired, repair
+from leitmotion.sharing import find_shared_patterns
 from leitmotion.synthesis import Summary
 
 __all__ = [
@@ -60,6 +61,8 @@ __all__ = [
     "Repaired",
     "Residual",
     "Segmentation",
+    "SharedPattern",
+    "SharedPatterns",
     "Skeleton",
     "Summary",
     "Trajectories",
@@ -70,6 +73,7 @@ __all__ = [
     "evaluate",
     "find_patterns",
     "find_roles",
+    "find_shared_patterns",
     "info",
     "load",
     "make_lesson",

@@ -6,7 +6,7 @@ import contextlib
 from collections.abc import Callable, Collection, Generator, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeVar
 
 import click
 
@@ -66,6 +66,7 @@ class Outcome:
     failed: bool
 
 
+T = TypeVar("T")
 Look = Callable[[Input, Progress], Answer]
 Answers = Callable[[list[Input], Progress], Generator[Answer | Failure | LeftOut]]
 Check = Callable[[list[Input]], None]
@@ -97,7 +98,7 @@ def answer_each(
 
     def answers(inputs: list[Input], progress: Progress) -> Generator[Answer | Failure | LeftOut]:
         for given in inputs:
-            yield _look(given, look, progress)
+            yield attempt(given, look, progress)
             progress.step()
 
     return answer_all(verb, arguments, options, answers, check=check)
@@ -136,7 +137,7 @@ def answer_all(
         for given, answer in zip(inputs, each, strict=True):
             progress.hide()
             if isinstance(answer, LeftOut):
-                progress.note(_line(given, "Left out, as no recording", answer.why, alone=alone))
+                progress.note(line(given, "Left out, as no recording", answer.why, alone=alone))
                 continue
             documents.append(_print(verb, given, answer, options, first=not documents, alone=alone))
         if not documents:
@@ -149,7 +150,7 @@ def answer_all(
 def answer_one(verb: str, given: Input, options: Options, look: Look) -> Outcome:
     """Answer about what is not a recording that an argument names; otherwise as :func:`answer_each`."""
     with Progress(1, quiet=options.quiet) as progress:
-        answer = _look(given, look, progress)
+        answer = attempt(given, look, progress)
         progress.hide()
         if isinstance(answer, LeftOut):
             raise AssertionError("nothing that was named is left out")
@@ -157,7 +158,8 @@ def answer_one(verb: str, given: Input, options: Options, look: Look) -> Outcome
     return Outcome([document], "error" in document)
 
 
-def _look(given: Input, look: Look, progress: Progress) -> Answer | Failure | LeftOut:
+def attempt(given: Input, look: Callable[[Input, Progress], T], progress: Progress) -> T | Failure | LeftOut:
+    """Look at one input; whatever is raised becomes its failure, wrong usage excepted."""
     try:
         if given.fault is not None:
             raise given.fault
@@ -186,7 +188,7 @@ def _print(
     if options.as_json:
         click.echo(as_line(document))
     elif isinstance(answer, Failure):
-        click.echo(_line(given, "Error", answer.text, alone=alone), err=True)
+        click.echo(line(given, "Error", answer.text, alone=alone), err=True)
     elif alone or not answer.silent:
         _show(given, answer, options, first=first, alone=alone)
     return document
@@ -201,10 +203,10 @@ def _show(given: Input, answer: Answer, options: Options, *, first: bool, alone:
     answer.show(console)
     if not options.quiet:
         for warning in answer.warnings:
-            click.echo(_line(given, "Note", warning, alone=alone), err=True)
+            click.echo(line(given, "Note", warning, alone=alone), err=True)
 
 
-def _line(given: Input, kind: str, text: str, *, alone: bool) -> str:
+def line(given: Input, kind: str, text: str, *, alone: bool) -> str:
     """Say something on standard error about an input; beside others the line begins with its name."""
     if alone:
         return f"{kind}: {text}"

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 import click
 
+from leitmotion.cli.across import answer_across
 from leitmotion.cli.batch import Answer, answer_each, finish
 from leitmotion.cli.documents import Document, patterns_result, residual_result
 from leitmotion.cli.finding import search, search_left_over, show_patterns, show_residual, warnings_of
@@ -42,6 +43,7 @@ COLUMNS = (
         "leitmotion patterns dance.bvh[12s:45s] -o dance.csv",
         "leitmotion patterns dance.bvh --residual",
         "leitmotion patterns recordings/ --json",
+        "leitmotion patterns recordings/ --across",
         "leitmotion patterns dance.bvh --summary -o short.bvh",
         "leitmotion patterns dance.bvh --lesson",
     )
@@ -54,6 +56,7 @@ COLUMNS = (
     "Also write what was found, by the ending: .json or .csv; of one input .html, .eaf (ELAN), "
     ".png, .svg, .pdf or .npz."
 )
+@click.option("--across", is_flag=True, help="Search all inputs together: which movements do they share?")
 @summary_options
 @lesson_option
 @click.option(
@@ -69,15 +72,19 @@ def patterns(
     summary: bool,
     contents: Path | None,
     lesson: bool,
+    across: bool,
     options: Options,
 ) -> None:
     """Find what recurs in a recording."""
-    if residual + summary + lesson > 1:
+    if residual + summary + lesson + across > 1:
         raise click.UsageError(
-            "--residual, --summary and --lesson are answers of their own: ask for one of them."
+            "--residual, --summary, --lesson and --across are answers of their own: ask for one of them."
         )
     if contents is not None and not summary:
         raise click.UsageError("--contents is the table of contents of a summary: give --summary as well.")
+    if across:
+        finish(answer_across(inputs, options))
+        return
     if summary or lesson:
         summarise(inputs, contents, options) if summary else teach(inputs, options)
         return

@@ -1,10 +1,12 @@
-"""What is in this recording: patterns that recur, and what may have been missed."""
+"""What is in this recording: patterns that recur, and what may have been missed; and what several share."""
 
+from leitmotion.discovery.across import find_shared_patterns
 from leitmotion.discovery.lesson import Difference, Lesson, Step, Variation, make_lesson
 from leitmotion.discovery.pattern import Pattern, PatternPair, Patterns
 from leitmotion.discovery.patterns import METHODS, find_patterns
 from leitmotion.discovery.recurrence import find_recurrences
 from leitmotion.discovery.residual import Candidate, Residual, search_residual
+from leitmotion.discovery.shared import Places, SharedPair, SharedPattern, SharedPatterns
 from leitmotion.discovery.tang2008 import find_patterns_tang2008
 from leitmotion.discovery.typical import align_occurrences, typical_occurrence
 
@@ -16,13 +18,18 @@ __all__ = [
     "Pattern",
     "PatternPair",
     "Patterns",
+    "Places",
     "Residual",
+    "SharedPair",
+    "SharedPattern",
+    "SharedPatterns",
     "Step",
     "Variation",
     "align_occurrences",
     "find_patterns",
     "find_patterns_tang2008",
     "find_recurrences",
+    "find_shared_patterns",
     "make_lesson",
     "search_residual",
     "typical_occurrence",

@@ -1,8 +1,17 @@
 """What does a person see: takes the nouns, returns text or figures, writes nothing."""
 
 from leitmotion.view.calibration import plot_calibration
+from leitmotion.view.lanes import plot_shared_patterns
 from leitmotion.view.payload import page_payload
 from leitmotion.view.plots import plot_figures, plot_matrix, plot_patterns
 from leitmotion.view.report import report_page
 
-__all__ = ["page_payload", "plot_calibration", "plot_figures", "plot_matrix", "plot_patterns", "report_page"]
+__all__ = [
+    "page_payload",
+    "plot_calibration",
+    "plot_figures",
+    "plot_matrix",
+    "plot_patterns",
+    "plot_shared_patterns",
+    "report_page",
+]

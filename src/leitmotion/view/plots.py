@@ -101,12 +101,17 @@ def plot_matrix(
         for pair in patterns.stripes:
             colour = colour_of(pair.pattern, colours)
             path = pair.path / patterns.rate
-            axes.plot(path[:, 1], path[:, 0], color=colour, lw=1.6, **_halo(colours, 3.2), zorder=3)
+            axes.plot(path[:, 1], path[:, 0], color=colour, lw=1.6, **halo(colours, 3.2), zorder=3)
         _edge_bars(axes, patterns, colours)
-    axes.set(xlim=(0, seconds[0]), ylim=(seconds[1], 0), xticks=_ticks(seconds[0]), yticks=_ticks(seconds[1]))
+    axes.set(
+        xlim=(0, seconds[0]),
+        ylim=(seconds[1], 0),
+        xticks=time_ticks(seconds[0]),
+        yticks=time_ticks(seconds[1]),
+    )
     axes.xaxis.set_ticks_position("top")
     style_axes(axes, colours)
-    _unit_of_time(axes)
+    tell_unit_of_time(axes)
     axes.set_title(title, loc="left", fontsize=TITLE, color=colours.ink, pad=22)
     _legend(figure, colours, _far_end(cap, told))
     return figure
@@ -159,10 +164,10 @@ def plot_patterns(
     if seconds is None:
         ends = [int(pattern.stretches.stops[-1]) / patterns.rate for pattern in patterns.patterns]
         seconds = max(ends, default=1.0)
-    axes.set(xlim=(0, seconds), ylim=(lanes, 0), yticks=[], xticks=_ticks(seconds))
+    axes.set(xlim=(0, seconds), ylim=(lanes, 0), yticks=[], xticks=time_ticks(seconds))
     axes.xaxis.set_ticks_position("top")
     style_axes(axes, colours)
-    _unit_of_time(axes)
+    tell_unit_of_time(axes)
     per_second = (width - HEAD - 0.15) / seconds
     for lane, pattern in enumerate(patterns.patterns):
         _lane(axes, lane, pattern, colours, per_second)
@@ -252,13 +257,13 @@ def style_axes(axes: Axes, colours: Theme) -> None:
         spine.set_visible(False)
 
 
-def _unit_of_time(axes: Axes) -> None:
+def tell_unit_of_time(axes: Axes) -> None:
     """Write the unit once, at the first tick."""
     ticks = axes.get_xticks()
     axes.set_xticks(ticks, [f"{tick:g}" + (" s" if k == 0 else "") for k, tick in enumerate(ticks)])
 
 
-def _ticks(seconds: float) -> np.ndarray:
+def time_ticks(seconds: float) -> np.ndarray:
     """Place three to eight ticks a person reads."""
     step = next((s for s in TICKS_S if seconds / s <= 8), TICKS_S[-1])
     return np.arange(0, seconds + 1e-9, step)
@@ -283,7 +288,8 @@ def _legend(figure: Figure, colours: Theme, far_end: str) -> None:
     figure.text(end + 0.215, 0.05, far_end, va="center", fontsize=SMALL, color=colours.ink2)
 
 
-def _halo(colours: Theme, width: float) -> dict[str, Any]:
+def halo(colours: Theme, width: float) -> dict[str, Any]:
+    """Part a line or letter from what lies under it."""
     from matplotlib.patheffects import Normal, Stroke
 
     return {
@@ -309,7 +315,7 @@ def _lane(axes: Axes, lane: int, pattern: Pattern, colours: Theme, per_second: f
     rate = pattern.occurrences.rate
     hatch = "////" if pattern.confidence < UNCERTAIN else None
     for start, stop, _, _ in pattern.stretches:
-        _bar(axes, lane, start / rate, stop / rate, mixed(colour, 0.13, colours.surface), hatch, colour)
+        draw_bar(axes, lane, start / rate, stop / rate, mixed(colour, 0.13, colours.surface), hatch, colour)
         axes.plot([start / rate] * 2, [lane + 0.14, lane + 0.86], color=colour, lw=1.8, solid_capstyle="butt")
     lengths = (pattern.occurrences.stops - pattern.occurrences.starts) / rate
     numbered = pattern.kind == "cyclic" and lengths.min() * per_second > DIGIT
@@ -317,7 +323,7 @@ def _lane(axes: Axes, lane: int, pattern: Pattern, colours: Theme, per_second: f
     for k, (start, stop, _, _) in enumerate(pattern.occurrences):
         number = k - int(np.argmax(holder == holder[k])) + 1  # within its stretch
         shade = mixed(colour, 0.36 if number % 2 else 0.22, colours.surface)
-        _bar(axes, lane, start / rate, stop / rate, shade, hatch, colour)
+        draw_bar(axes, lane, start / rate, stop / rate, shade, hatch, colour)
         for border in (start, stop):
             axes.plot([border / rate] * 2, [lane + 0.14, lane + 0.86], color=colour, lw=0.8)
         if numbered:
@@ -326,7 +332,10 @@ def _lane(axes: Axes, lane: int, pattern: Pattern, colours: Theme, per_second: f
     _lane_head(axes, lane, pattern, colour, colours)
 
 
-def _bar(axes: Axes, lane: int, start: float, stop: float, fill: Any, hatch: str | None, edge: str) -> None:
+def draw_bar(
+    axes: Axes, lane: int, start: float, stop: float, fill: Any, hatch: str | None, edge: str
+) -> None:
+    """Draw a stretch of time in a lane, hatched where it is uncertain."""
     from matplotlib.patches import Rectangle
 
     bar = Rectangle(
