@@ -102,17 +102,11 @@ def find_recurrences(
             f"too short for two stretches of {min_duration_s:g} s."
         )
         return Patterns((), (), features.rate, parameters, miss)
-    distances = Distances(work)
     shortest = round(min_duration_s * WORKING_RATE)
     criteria = Criteria(max_distance, min_contrast, min_amplitude, shortest, cuts)
-    refine = Refiner(features, WORKING_RATE, max_distance)
-    seen = search(distances, criteria, refine)
-    parameters |= seen.limits
-    found = Scribe(features, distances, criteria).describe(seen)
-    left = _left_over(work, found, features.rate)
-    if left is not None:
-        wider = criteria._replace(max_distance=WIDER * max_distance, min_contrast=max(CLEARER, min_contrast))
-        found += Scribe(features, distances, wider).describe(search(left, wider, refine))
+    found, limits = look(features, work, criteria)
+    parameters |= limits
+    distances = Distances(work)
     alike = likeness(distances, max_distance=max_distance, min_amplitude=min_amplitude)
     scribe = Scribe(features, distances, criteria)
     if stillness:
@@ -126,6 +120,40 @@ def find_recurrences(
         "" if found else _nearest_miss(distances, alike, features, parameters),
         written.stripes,
     )
+
+
+def look(
+    features: FeatureSequence, work: FeatureSequence, criteria: Criteria
+) -> tuple[list[Found], dict[str, object]]:
+    """Look for what recurs, and once more, farther, in what is left over.
+
+    Parameters
+    ----------
+    features : FeatureSequence
+        The recording, T frames.
+    work : FeatureSequence
+        The same at the working rate, N moments.
+    criteria : Criteria
+        What counts as a return.
+
+    Returns
+    -------
+    list of Found
+        Patterns without a name.
+    dict
+        What was not compared, where a recording is too long.
+    """
+    distances = Distances(work)
+    refine = Refiner(features, work.rate, criteria.max_distance)
+    seen = search(distances, criteria, refine)
+    found = Scribe(features, distances, criteria).describe(seen)
+    left = _left_over(work, found, features.rate)
+    if left is not None:
+        wider = criteria._replace(
+            max_distance=WIDER * criteria.max_distance, min_contrast=max(CLEARER, criteria.min_contrast)
+        )
+        found += Scribe(features, distances, wider).describe(search(left, wider, refine))
+    return found, seen.limits
 
 
 def _left_over(work: FeatureSequence, found: Sequence[Found], rate: float) -> Distances | None:

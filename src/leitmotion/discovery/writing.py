@@ -8,6 +8,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from leitmotion.discovery.confidence import Evidence, confidence
 from leitmotion.discovery.families import TOUCH
 from leitmotion.discovery.pattern import Pattern, PatternPair, cut_at_occurrences, letter
 from leitmotion.discovery.returns import Return
@@ -32,6 +33,9 @@ class Found(NamedTuple):
     stripes: Sequence[Stripe]
     agreement: float
     """Share of the pairs of occurrences that are alike."""
+
+    evidence: Evidence
+    """What its confidence follows from."""
 
 
 class Written(NamedTuple):
@@ -83,7 +87,8 @@ class Scribe:
         """A posture that is held at several times."""
         found = self._describe("acyclic", spans, spans, [])
         reason = "a posture that is held again, without movement"
-        return found._replace(pattern=found.pattern.replace(reason=reason), agreement=1.0)
+        pattern = found.pattern.replace(reason=reason, confidence=round(found.agreement, 3))
+        return found._replace(pattern=pattern, agreement=1.0)
 
     def write(self, found: Sequence[Found]) -> Written:
         """Name what was found by letters, the pattern that fills most time first, and write its pairs down."""
@@ -130,19 +135,20 @@ class Scribe:
         ]
         agreement = float(np.mean(costs < AGREED * self.max_distance))
         contrast = float(np.mean([s.contrast for s in stripes])) if stripes else 0.0
-        clarity = float(np.clip(contrast / 0.75, 0.0, 1.0)) if stripes else agreement
         spans = self._segmentation(occurrences, np.array(scores))
+        seconds = float(np.median(spans.stops - spans.starts)) / self.rate
+        evidence = Evidence(contrast, float(np.mean(costs)) / self.max_distance, seconds)
         pattern = Pattern(
             id="?",
             kind=kind,
             occurrences=spans,
             stretches=self._segmentation(extents, np.full(len(extents), np.nan)),
-            period_s=float(np.median(spans.stops - spans.starts)) / self.rate,
+            period_s=seconds,
             cost=float(np.mean(costs)) * self.scale,
-            confidence=round(float(np.sqrt(clarity * agreement)) * _evidence(len(stripes)), 3),
+            confidence=round(confidence(evidence), 3),
             reason=self._reason(kind, costs, contrast, agreement),
         )
-        return Found(pattern, stripes, agreement)
+        return Found(pattern, stripes, agreement, evidence)
 
     def _between_occurrences(
         self, occurrences: Segmentation, stripes: Sequence[Stripe]
@@ -252,11 +258,6 @@ def joined_spans(spans: Sequence[tuple[float, float]]) -> list[tuple[float, floa
         else:
             joined.append(after)
     return joined
-
-
-def _evidence(stripes: int) -> float:
-    """One stripe may be chance, several hardly: 0.8 for one, 0.89 for two, towards 1."""
-    return max(stripes, 1) / (max(stripes, 1) + 0.25)
 
 
 def _moments(span: tuple[float, float], moments: int) -> range:
