@@ -27,7 +27,9 @@ def rows() -> list[Row]:
     """Measure; (what, figure, protocol) for every line; nothing without the recordings."""
     if not os.environ.get("LEITMOTION_DATA"):
         return []
-    told = [row for name, recording, truth in material("report") for row in patterns_of(name, recording, truth)]
+    told = [
+        row for name, recording, truth in material("report") for row in patterns_of(name, recording, truth)
+    ]
     right = np.array([share >= RIGHT for _, share, _ in told])
     said = np.array([confidence(evidence) for _, _, evidence in told])
     contrast = np.clip([evidence.contrast for _, _, evidence in told], 0, 1)
@@ -52,7 +54,7 @@ def rows() -> list[Row]:
             (
                 f"Brier score: {what[0].lower() + what[1:]}",
                 f"{np.mean((probability - right) ** 2):.3f}",
-                f"mean squared difference from right or not, {len(right)} patterns, {right.mean():.1%} right; lower is better",
+                f"mean squared difference from right or not, {len(right)} patterns, {right.mean():.1%} right",
             )
         )
     return table

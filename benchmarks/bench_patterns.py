@@ -10,7 +10,7 @@ from __future__ import annotations
 import math
 import sys
 import time
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from functools import cache
 
 import numpy as np
@@ -95,6 +95,7 @@ def judged(kind: str, split: str, which: str) -> list[Row]:
         if measure == "type_one":
             table += _more_of_type_one(ours, whole)
     of = "U pairs found, u wrong, v true pairs not linked"
+    table += _aside(answers.values())
     table += [
         ("The paper's own u / (U - u + v)", f"{whole.paper_type_one:.1%}", of),
         ("The paper's own v / (U - u + v)", f"{whole.paper_type_two:.1%}", "the same"),
@@ -131,6 +132,27 @@ def judged(kind: str, split: str, which: str) -> list[Row]:
     return table
 
 
+def _aside(answers: Iterable[dict[str, PatternScores]]) -> list[Row]:
+    """What remains of both errors where frames without a label count neither for nor against a stretch."""
+    held = list(answers)
+    ours = [each["default, aside"] for each in held]
+    whole = pool(ours)
+    others = {other: pool([each[f"{other}, aside"] for each in held]) for other in CHEAP}
+    table: list[Row] = []
+    for measure, what in (("type_one", "Type I"), ("type_two", "Type II")):
+        low, high = evaluation.interval(ours, measure)
+        said = ", ".join(f"{other} {_said(measure, getattr(others[other], measure))}" for other in CHEAP)
+        table += [
+            (
+                f"{what} error, frames without a label left aside",
+                f"{_said(measure, getattr(whole, measure))} ({_said(measure, low)} to {_said(measure, high)})",
+                "borders that an annotator leaves open and blends count neither for nor against a stretch",
+            ),
+            ("The same, cheap answers", said, "as above"),
+        ]
+    return table
+
+
 def _more_of_type_one(ours: Sequence[PatternScores], whole: PatternScores) -> list[Row]:
     each = [score.type_one for score in ours if score.pairs]
     how = f"each recording with a pair counts once; {len(each)} have one"
@@ -159,6 +181,8 @@ def scores(split: str) -> dict[str, dict[str, PatternScores]]:
         }
         held[name] = {which: evaluate_patterns(truth, answer) for which, answer in answers.items()}
         held[name]["strict"] = evaluate_patterns(_strict(truth), found)
+        for which in ("default", *CHEAP):
+            held[name][f"{which}, aside"] = evaluate_patterns(truth, answers[which], unlabelled="aside")
     return held
 
 

@@ -247,3 +247,15 @@ def test_an_interval_holds_the_figure_and_is_the_same_every_time():
 def test_what_makes_no_truth_or_answer_is_refused(make, message):
     with pytest.raises(ParameterError, match=message):
         make()
+
+
+def test_frames_without_a_label_may_be_left_aside():
+    runs = Segmentation([0, 100], [100, 200], ("walk", "kick"), rate=30)
+    truth = PatternTruth(runs, unlabelled=[[80, 120]], cycles=[[2, 2, 2], [1, 1, 1]])
+    found = FoundPatterns(Segmentation([0, 45], [45, 100], ("A", "A"), rate=30))
+    assert evaluate_patterns(truth, found).wrong_pairs == 1  # the second is walk by 64 %
+    assert evaluate_patterns(truth, found, unlabelled="aside").wrong_pairs == 0
+    mostly_open = FoundPatterns(Segmentation([0, 75], [45, 110], ("A", "A"), rate=30))
+    assert evaluate_patterns(truth, mostly_open, unlabelled="aside").wrong_pairs == 1
+    with pytest.raises(ParameterError, match="against or aside"):
+        evaluate_patterns(truth, found, unlabelled="ignored")

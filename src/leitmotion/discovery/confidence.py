@@ -14,7 +14,12 @@ from typing import NamedTuple
 
 import numpy as np
 
-CONSTANT, CONTRAST, APART, LENGTH = 2.12, 0.39, -1.57, 0.62  # of the logistic regression, in the order of Evidence
+CONSTANT, CONTRAST, APART, LENGTH = (
+    2.12,
+    0.39,
+    -1.57,
+    0.62,
+)  # of the logistic regression, in the order of Evidence
 FARTHEST = 2.0  # times the distance of what is alike: farther counts as this
 
 

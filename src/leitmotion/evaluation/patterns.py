@@ -35,7 +35,9 @@ FOUND = 0.5
 _EPSILON = 1e-9
 
 
-def evaluate_patterns(truth: PatternTruth, found: FoundPatterns) -> PatternScores:
+def evaluate_patterns(
+    truth: PatternTruth, found: FoundPatterns, *, unlabelled: str = "against"
+) -> PatternScores:
     """Judge what was found in one recording.
 
     Parameters
@@ -44,6 +46,10 @@ def evaluate_patterns(truth: PatternTruth, found: FoundPatterns) -> PatternScore
         What a person saw.
     found : FoundPatterns
         What was found.
+    unlabelled : {"against", "aside"}
+        How frames without a label count, where an annotator accepts several borders or one movement blends into the
+        next: against a stretch that holds them, as the protocol has it, or neither for nor against it. A stretch of
+        which more than half carries no label belongs to nothing either way.
 
     Returns
     -------
@@ -53,7 +59,7 @@ def evaluate_patterns(truth: PatternTruth, found: FoundPatterns) -> PatternScore
     Raises
     ------
     ParameterError
-        When the two are of different frame rates.
+        When the two are of different frame rates, or `unlabelled` is neither.
 
     Examples
     --------
@@ -66,13 +72,16 @@ def evaluate_patterns(truth: PatternTruth, found: FoundPatterns) -> PatternScore
     """
     if not math.isclose(truth.rate, found.rate, rel_tol=1e-6):
         raise ParameterError(f"The truth is at {truth.rate:g} Hz, what was found at {found.rate:g} Hz.")
+    if unlabelled not in ("against", "aside"):
+        raise ParameterError(f"unlabelled must be against or aside, got {unlabelled!r}.")
+    aside = unlabelled == "aside"
     pairs = found.pairs
     assert pairs is not None  # made from the occurrences where they were not given
     spans = np.stack((found.occurrences.starts, found.occurrences.stops), axis=1)
     frames = int(max(array.max(initial=1) for array in (truth.runs.stops, spans, pairs)))
     which = truth.which_run(frames)
-    owner = _owners(truth, which, spans)
-    a, b = _owners(truth, which, pairs[:, :2]), _owners(truth, which, pairs[:, 2:])
+    owner = _owners(truth, which, spans, aside=aside)
+    a, b = (_owners(truth, which, pairs[:, side], aside=aside) for side in (slice(0, 2), slice(2, 4)))
     right = np.array([x is not None and x == y for x, y in zip(a, b, strict=True)], dtype=bool)
     recurs = np.array([x in truth.recurring for x in a], dtype=bool)
     once = np.array([x not in truth.recurring and x not in truth.uncertain for x in a], dtype=bool)
@@ -172,14 +181,18 @@ def linked(truth: PatternTruth, pairs: np.ndarray) -> dict[tuple[int, int], bool
     }
 
 
-def _owners(truth: PatternTruth, which: np.ndarray, spans: np.ndarray) -> list[str | None]:
+def _owners(
+    truth: PatternTruth, which: np.ndarray, spans: np.ndarray, *, aside: bool = False
+) -> list[str | None]:
     labels = np.array([*truth.runs.labels, ""])
     sums = {label: np.concatenate(([0], np.cumsum(labels[which] == label))) for label in truth.actions}
+    labelled = np.concatenate(([0], np.cumsum(which >= 0)))
     found: list[str | None] = []
     for start, stop in spans.tolist():
-        enough = (
-            name for name, s in sums.items() if s[stop] - s[start] >= BELONGS * (stop - start) - _EPSILON
-        )
+        frames = stop - start
+        if aside and labelled[stop] - labelled[start] >= frames / 2:
+            frames = labelled[stop] - labelled[start]
+        enough = (name for name, s in sums.items() if s[stop] - s[start] >= BELONGS * frames - _EPSILON)
         found.append(next(enough, None))
     return found
 
