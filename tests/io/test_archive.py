@@ -16,6 +16,8 @@ from leitmotion.body import Body, BodyMap
 from leitmotion.datasets import Session
 from leitmotion.discovery.lesson import Difference, Lesson, Step, Variation
 from leitmotion.discovery.pattern import Pattern, PatternPair, Patterns
+from leitmotion.discovery.residual import Candidate, Residual
+from leitmotion.discovery.shared import Places, SharedPair, SharedPattern, SharedPatterns
 from leitmotion.evaluation import (
     FoundPatterns,
     PatternScores,
@@ -78,6 +80,13 @@ def samples():
     step = Step("A", "cyclic", 2, 0.075, 0, 0, 3, (variation,))
     yield from (difference, variation, step, Lesson((step,), 120, 1.6, "px", turned=False))
     yield Summary(motion, spans, spans)
+    candidate = Candidate((0, 3), (4, 9), 0.75)
+    yield from (candidate, Residual((candidate,), spans, 120, {"window_s": 0.5}))
+    places = Places([0, 1], [3, 0], [9, 8], [0.5, np.nan])
+    pattern = SharedPattern("A", "acyclic", places, places, 0.2, 0.03, 0.8, "near")
+    pair = SharedPair("A", (0, 1), [[3, 0], [8, 7]], 0.02)
+    yield from (places, pattern, pair)
+    yield SharedPatterns((pattern,), (pair,), ("a", "b"), [30, 60], [12, 10], {"gap_s": 2.0})
 
 
 SAMPLES = {f"{type(noun).__name__}-{k}": noun for k, noun in enumerate(samples())}
