@@ -13,10 +13,14 @@ import numpy as np
 
 from leitmotion.discovery.joining import Joined, join
 from leitmotion.discovery.pattern import Pattern, PatternPair, letter
-from leitmotion.discovery.recurrence import MAX_DISTANCE, MIN_AMPLITUDE, MIN_CONTRAST, find_recurrences
+from leitmotion.discovery.recurrence import MIN_AMPLITUDE, MIN_CONTRAST, find_recurrences
 from leitmotion.discovery.shared import Places, SharedPair, SharedPattern, SharedPatterns
 from leitmotion.features.sequence import FeatureSequence
 from leitmotion.motion.segmentation import Segmentation
+
+MAX_DISTANCE = 0.10
+"""Body sizes: people differ more from one another than from themselves. Set on the clips of three actors that may be
+fitted on, where 0.12 takes walks for runs (``python benchmarks/bench_across.py cases fit max_distance=0.12``)."""
 
 
 def find_shared_patterns(
@@ -37,7 +41,9 @@ def find_shared_patterns(
         differ: what all have is compared.
     names : sequence of str, optional
         Of the recordings; by default "recording 1" and so on.
-    max_distance, min_duration_s, min_amplitude, min_contrast : float
+    max_distance : float
+        Mean distance of the joints below which two postures are alike, body sizes; wider than within one recording.
+    min_duration_s, min_amplitude, min_contrast : float
         As for :func:`leitmotion.discovery.find_recurrences`.
 
     Returns
