@@ -18,9 +18,9 @@ from leitmotion.discovery.shared import Places, SharedPair, SharedPattern, Share
 from leitmotion.features.sequence import FeatureSequence
 from leitmotion.motion.segmentation import Segmentation
 
-MAX_DISTANCE = 0.10
-"""Body sizes: people differ more from one another than from themselves. Set on the clips of three actors that may be
-fitted on, where 0.12 takes walks for runs (``python benchmarks/bench_across.py cases fit max_distance=0.12``)."""
+MAX_DISTANCE = 0.08
+"""Body sizes: people differ more from one another than from themselves. The upper end of the interval that the labelled
+pairs leave for one person; beyond it, walks of one person are soon taken for runs of another."""
 
 
 def find_shared_patterns(
