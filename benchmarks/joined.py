@@ -109,11 +109,11 @@ def joined(name: str) -> Joined:
         pieces += [blended(before, after, frames), after]
         start = spans[-1][1] + frames
         spans.append((start, start + len(after)))
-    motion = _strung(pieces, name.replace("/", "-"))
-    return Joined(name, motion, _truth([move for move, _ in clips], np.array(spans), motion.rate))
+    motion = strung_together(pieces, name.replace("/", "-"))
+    return Joined(name, motion, truth_of([move for move, _ in clips], np.array(spans), motion.rate))
 
 
-def _truth(performed: list[Move], spans: np.ndarray, rate: float) -> PatternTruth:
+def truth_of(performed: list[Move], spans: np.ndarray, rate: float) -> PatternTruth:
     """One run for each series of repetitions of one move; each repetition is known exactly."""
     labels = tuple(move.label for move in performed)
     first = [k for k in range(len(labels)) if k == 0 or labels[k] != labels[k - 1]]
@@ -125,7 +125,7 @@ def _truth(performed: list[Move], spans: np.ndarray, rate: float) -> PatternTrut
     )
 
 
-def _strung(pieces: list[Motion], name: str) -> Motion:
+def strung_together(pieces: list[Motion], name: str) -> Motion:
     """String motions of one skeleton together."""
     return pieces[0].replace(
         local_positions=np.concatenate([piece.local_positions for piece in pieces]),
