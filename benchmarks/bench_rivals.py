@@ -16,6 +16,7 @@ import subprocess
 import sys
 import tempfile
 from collections.abc import Iterator, Mapping
+from dataclasses import asdict
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -61,7 +62,9 @@ TOLD = {
     "tang2008": 'method="tang2008" with the parameters of the paper, nothing told',
     "dtai-locomotif": "told shortest and longest repetition and the number of actions; mean taken away and divided by "
     "the deviation of {scaled}, rho {rho}, overlap {overlap}, time warping",
-    "stumpy": "mstump and mmotifs on 45 columns, told the number of actions and the {window} repetition as window; "
+    "dtai-locomotif, not told": "as before, but repetitions of {shortest} to {longest} frames, as the actors to fit on "
+    "have them, and all motif sets",
+    "stumpy": "mstump and mmotifs on 45 columns, told the number of actions; window: the {window} repetition; "
     "normalize={normalize}, k={k}, no cutoff, matches up to {spread} deviations below the mean distance, starts "
     "at least 1/{apart} of a window apart",
 }
@@ -131,7 +134,8 @@ def settings(engine: str) -> str:
         engine, {}
     )
     k = engines.columns(chosen.get("k", "mdl"), 45)
-    return TOLD[engine].format(**{**chosen, "k": k})
+    told = TOLD[engine].format(**{**asdict(engines.GUESSED), **chosen, "k": k})
+    return told.replace("the middle repetition", "geometric mean of shortest and longest repetition")
 
 
 def hints(one: Strung) -> Hints:
