@@ -29,7 +29,7 @@ REPEAT_UNDER_S = 5.0
 WARM_UP = 240
 LOCOMOTIF: Mapping[str, Any] = MappingProxyType({"scaled": "whole", "rho": 0.95, "overlap": 0.0})
 STUMPY: Mapping[str, Any] = MappingProxyType(
-    {"normalize": False, "window": "middle", "k": 1.0, "spread": 2.0, "apart": 4}
+    {"normalize": False, "window": "middle", "k": 1.0, "spread": 1.5, "apart": 4}
 )
 
 
