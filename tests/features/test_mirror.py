@@ -1,0 +1,38 @@
+"""Mirror: exchanges the sides, twice changes nothing, and needs names that tell the sides."""
+
+import numpy as np
+import pytest
+
+from leitmotion.features import FeatureSequence
+from leitmotion.features.mirror import mirrored
+
+
+def postures(rng, names, width=3):
+    values = rng.normal(size=(20, len(names) * width))
+    return FeatureSequence(values, names, 30.0, tuple("xyzw"[:width]) if width != 3 else ("place",), width)
+
+
+def test_the_mirror_exchanges_partners_and_negates_x(rng):
+    one = postures(rng, ("left_hand", "head", "right_hand"))
+    image = mirrored(one)
+    seen, expected = (values.reshape(20, 3, 3) for values in (image.values, one.values))
+    assert image.names == one.names
+    np.testing.assert_array_equal(seen, expected[:, [2, 1, 0]] * [-1, 1, 1])
+
+
+def test_the_mirror_twice_changes_nothing(rng):
+    one = postures(rng, ("left_hand", "head", "right_foot", "right_hand", "left_foot"))
+    image = mirrored(one)
+    assert image != one
+    assert mirrored(image) == one
+
+
+@pytest.mark.parametrize("names", [("a", "b"), ("left_hand", "head"), ("left_hand", "right_foot")])
+def test_there_is_no_mirror_where_names_tell_no_sides_or_a_partner_lacks(rng, names):
+    assert mirrored(postures(rng, names)) is None
+
+
+def test_there_is_no_mirror_of_what_is_no_place(rng):
+    sides = ("left_hand", "right_hand")
+    assert mirrored(postures(rng, sides)) is not None
+    assert mirrored(postures(rng, sides, width=4)) is None
