@@ -1,0 +1,81 @@
+"""Kinds: cycles of two kinds in one theme are two themes; alike cycles stay one."""
+
+from itertools import pairwise
+
+import numpy as np
+import pytest
+
+from leitmotion.discovery import kinds
+from leitmotion.discovery.families import Run
+from leitmotion.discovery.kinds import part_themes
+from leitmotion.discovery.themes import Theme
+from leitmotion.features import FeatureSequence
+from leitmotion.similarity import Distances
+
+NEAR = 0.08
+CYCLE = 30
+
+
+def cycles(which):
+    """One cycle a letter: a small swing, a large one, or one of other joints; (N, 9)."""
+    swing = 0.5 * (1 - np.cos(2 * np.pi * np.arange(CYCLE) / CYCLE))
+    shape = {
+        "a": np.repeat([1, 0, 0], 3),
+        "b": np.repeat([0, 0, 1], 3),
+        "c": np.repeat([1.02, 0, 0], 3),
+    }
+    return np.concatenate([0.5 * swing[:, None] * shape[letter] for letter in which])
+
+
+def theme_of(*runs):
+    """A theme whose runs follow one another, and the distances of what it shows."""
+    values = np.concatenate([cycles(run) for run in runs])
+    distances = Distances(FeatureSequence(values, ("a", "b", "c"), 30.0, ("place",), 3))
+    at, made = 0, []
+    for run in runs:
+        borders = [float(at + CYCLE * k) for k in range(len(run) + 1)]
+        made.append(Run(borders[0] - 0.5, borders[-1] + 0.5, CYCLE, [], [], borders))
+        at += CYCLE * len(run)
+    return Theme(made), distances
+
+
+def starts(theme):
+    """Which cycles a theme has, by number."""
+    return [round(a / CYCLE) for run in theme.runs for a, _ in pairwise(run.borders)]
+
+
+def test_cycles_of_two_kinds_are_two_themes():
+    theme, distances = theme_of("aaabbb")
+    parted = sorted(part_themes([theme], distances, NEAR), key=starts)
+    assert [starts(part) for part in parted] == [[0, 1, 2], [3, 4, 5]]
+    (first,), (second,) = (part.runs for part in parted)
+    assert (first.start, first.stop) == (-0.5, 90.0)
+    assert (second.start, second.stop) == (90.0, 180.5)
+
+
+def test_alike_cycles_stay_one_theme_untouched():
+    theme, distances = theme_of("aca", "ac")
+    assert part_themes([theme], distances, NEAR) == [theme]
+    assert part_themes([theme], distances, 1e-4) != [theme]
+
+
+def test_cycles_of_a_kind_that_do_not_follow_one_another_are_runs_of_their_own():
+    theme, distances = theme_of("aabba", "bb")
+    parted = sorted(part_themes([theme], distances, NEAR), key=starts)
+    assert [[run.borders for run in part.runs] for part in parted] == [
+        [[0, 30, 60], [120, 150]],
+        [[60, 90, 120], [150, 180, 210]],
+    ]
+
+
+def test_a_kind_of_one_cycle_is_no_theme():
+    theme, distances = theme_of("aaab")
+    assert [starts(part) for part in part_themes([theme], distances, NEAR)] == [[0, 1, 2]]
+
+
+@pytest.mark.parametrize("compared", [4, 24])
+def test_cycles_that_are_not_compared_with_each_go_to_the_nearest(monkeypatch, compared):
+    monkeypatch.setattr(kinds, "COMPARED", compared)
+    theme, distances = theme_of("aaaaaaabbbbb")
+    parted = sorted(part_themes([theme], distances, NEAR), key=starts)
+    assert [starts(part) for part in parted] == [list(range(7)), list(range(7, 12))]
