@@ -1,14 +1,21 @@
 """The default way to find patterns: known movements, what must not change the answer, real recordings."""
 
+from itertools import pairwise
+
 import numpy as np
 import pytest
 
 from leitmotion import body, features, io
 from leitmotion.datasets import compose_session
-from leitmotion.discovery import Patterns, find_patterns
+from leitmotion.discovery import Patterns, find_patterns, recurrence
 from leitmotion.discovery.pattern import letter
+from leitmotion.discovery.refine import Refiner
+from leitmotion.discovery.search import Criteria
+from leitmotion.discovery.search import search as search_stretches
+from leitmotion.discovery.writing import Scribe, joined_spans
 from leitmotion.features import FeatureSequence
 from leitmotion.motion import DataError, Motion, ParameterError, Trajectories, rotations
+from leitmotion.similarity import Distances
 
 
 @pytest.fixture(scope="module")
@@ -235,3 +242,91 @@ def test_steps_of_a_walk(data):
 def test_nothing_recurs_when_a_person_lies_down(data):
     (clip,) = (data / "hdm05/lieDownFloor").glob("*.amc")
     assert search(io.read(clip)).patterns == ()
+
+
+def closed(which, count=45, size=0.6):
+    """One joint of three leaves its place and comes back, (count, 9)."""
+    values = np.zeros((count, 9))
+    away = 0.5 * (1 - np.cos(2 * np.pi * np.arange(count) / count))
+    for k in range(3):
+        values[:, 3 * which + k] = size * away * np.cos(0.9 * k)
+    return values
+
+
+def in_turn(which, pause_s=0.8, sizes=None):
+    """Closed movements one after another, a pause after each; and where each begins and ends, seconds."""
+    parts, spans, at = [np.zeros((15, 9))], [], 15
+    for k, joint in enumerate(which):
+        movement = closed(joint, size=0.6 if sizes is None else sizes[k])
+        parts += [movement, np.zeros((round(30 * pause_s), 9))]
+        spans.append((at / 30, (at + len(movement)) / 30))
+        at += len(movement) + len(parts[-1])
+    return FeatureSequence(np.concatenate(parts), ("a", "b", "c"), 30.0, ("place",), 3), spans
+
+
+def shown_by(pattern, spans, rate=30.0):
+    """Which of some spans the occurrences of a pattern lie in, each with its pauses, in order."""
+    middles = 0.5 * (pattern.occurrences.starts + pattern.occurrences.stops) / rate
+    return [k for m in middles for k, (start, stop) in enumerate(spans) if start <= m <= stop]
+
+
+def test_of_two_movements_in_turn_the_one_that_comes_back_oftener_goes_first():
+    postures, spans = in_turn((0, 1, 0, 1, 0))
+    patterns = find_patterns(postures).patterns
+    assert [shown_by(p, spans) for p in patterns] == [[0, 2, 4], [1, 3]]
+    for pattern in patterns:
+        lengths = (pattern.occurrences.stops - pattern.occurrences.starts) / 30
+        assert lengths.max() <= 1.5 + 0.8
+
+
+def open_movements(*through):
+    """From one posture to the next at an even speed, 45 frames each, so that no pause parts them."""
+    legs = [np.linspace(a, b, 45, endpoint=False) for a, b in pairwise(np.array(through, float))]
+    return FeatureSequence(
+        0.6 * np.repeat(np.concatenate(legs), 3, axis=1), ("a", "b", "c"), 30.0, ("place",), 3
+    )
+
+
+def test_a_part_that_comes_back_where_the_whole_does_not_goes_first():
+    a, b, c = (0, 0, 0), (1, 0, 0), (1, 0, 1)
+    whole, back = (a, b, c), ((2, 1, 1), (-1, 1, 1), (-1, 2, -1), (2, -1, 0), (1, -2, 0))
+    found = find_patterns(open_movements(*whole, *back[:2], *whole, *back[2:], a, b, (2, 0, -1), (2, 1, -2)))
+    starts = [0, 5, 11]  # legs that lead from a to b
+    first, *_ = sorted(found.patterns, key=lambda p: -len(p.occurrences))
+    assert shown_by(first, [(1.5 * k, 1.5 * (k + 1)) for k in starts]) == [0, 1, 2]
+    assert len(first.occurrences) == 3
+
+
+def test_stretches_without_a_break_are_joined():
+    assert joined_spans([(0, 10), (10, 20), (20, 30)]) == [(0, 30)]
+    assert joined_spans([(0, 10)]) == [(0, 10)]
+    assert joined_spans([(0, 10), (40, 50), (51, 60)]) == [(0, 10), (40, 60)]
+
+
+def test_a_pause_of_a_quarter_of_the_lag_still_joins_and_a_longer_one_does_not():
+    assert joined_spans([(0, 15), (20, 35)]) == [(0, 35)]
+    assert joined_spans([(0, 14.9), (20, 35)]) == [(0, 14.9), (20, 35)]
+
+
+def test_what_the_second_look_finds_does_not_overlap_what_the_first_found():
+    shift = np.zeros((1, 9))
+    shift[:, :3] = 0.095  # alike only to the wider look
+    first, _ = in_turn((0, 0), pause_s=1.5)
+    second = closed(2)
+    rest = np.zeros((45, 9))
+    values = np.concatenate((first.values, second, rest, second + shift, rest + shift))
+    postures = FeatureSequence(values, ("a", "b", "c"), 30.0, ("place",), 3)
+    criteria = Criteria(recurrence.MAX_DISTANCE, recurrence.MIN_CONTRAST, recurrence.MIN_AMPLITUDE, 15)
+    once = search_once(postures, criteria)
+    found, _ = recurrence.look(postures, postures, criteria)
+    assert len(found) > len(once) > 0
+    for early in (item.pattern.stretches for item in found[: len(once)]):
+        for late in (item.pattern.stretches for item in found[len(once) :]):
+            assert not ((early.starts[:, None] < late.stops) & (late.starts < early.stops[:, None])).any()
+
+
+def search_once(postures, criteria):
+    """What the first look alone finds."""
+    distances = Distances(postures)
+    seen = search_stretches(distances, criteria, Refiner(postures, postures.rate, criteria.max_distance))
+    return Scribe(postures, distances, criteria).describe(seen)
