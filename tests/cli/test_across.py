@@ -26,7 +26,7 @@ def three(made: Path, tmp_path: Path) -> Path:
 
 
 def test_the_answer_comes_first_then_where_then_who_shares_what(run: Run, three: Path) -> None:
-    told = run("patterns", three, "--across")
+    told = run("patterns", three, "--across", "--quiet")
     lines = told.stdout.splitlines()
     assert told.exit_code == 0
     assert told.stderr == ""

@@ -124,6 +124,7 @@ names = st.text(min_size=1, max_size=8).map(str.strip).filter(lambda name: name.
 @given(st.lists(names, min_size=3, max_size=3, unique=True))
 @example(["Fuß", "頭", "a:b"])
 @example(["*1", "uname*2", "x#2"])
+@example(["0", "00", "0\x1f"])
 def test_any_name_that_is_written_reads_back(own):
     own = [name.strip(" \0\t") for name in own]
     assume(len(set(own)) == 3)

@@ -151,7 +151,7 @@ def _parameters(points: Trajectories, unit: str) -> bytes:
 
 def _label(name: str) -> bytes:
     try:
-        label = name.strip().encode("utf-8")
+        label = name.strip(" \0\t").encode("utf-8")
     except UnicodeEncodeError as error:
         raise ParameterError(
             f"A C3D cannot hold {error.object[error.start : error.end]!r} in a point's name."
