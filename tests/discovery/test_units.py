@@ -136,3 +136,38 @@ def test_what_is_the_same_on_both_sides_does_not_alternate(sides):
 def test_nothing_alternates_where_names_tell_no_sides(sides):
     distances = compared(*sides[:2], names=("a", "b", "c"))
     assert not alternation(distances, 1.5 * NEAR)((0, 45), (45, 90))
+
+
+def gone(count=45, size=0.6):
+    """An open movement: the right hand leads away and stays."""
+    values = np.zeros((count, 9))
+    values[:, 3:6] = size * rise(count)[:, None]
+    return values
+
+
+def test_a_closed_movement_is_parted_from_an_open_one_after_it():
+    distances, stripe = twice(np.concatenate((moved(KICK), rest(12), gone(75))))
+    one, other = sorted(divided([stripe], distances), key=lambda s: s.a)
+    assert 39 <= one.a[1] <= other.a[0] <= 65
+
+
+def test_a_closed_movement_is_parted_from_an_open_one_before_it():
+    away = gone()
+    there = away[-1]
+    unit = np.concatenate((away, rest(12) + there, moved(KICK) + there))
+    distances, stripe = twice(unit)
+    one, other = sorted(divided([stripe], distances), key=lambda s: s.a)
+    assert 39 <= one.a[1] <= other.a[0] <= 65
+
+
+def test_what_hardly_leads_away_does_not_close():
+    distances, stripe = twice(np.concatenate((moved(KICK, size=0.2), rest(12), moved(SQUAT, size=0.2))))
+    assert divided([stripe], distances) == [stripe]
+
+
+def test_two_movements_in_turn_without_a_break_are_divided_all_along():
+    unit = np.concatenate((moved(KICK), rest(12), moved(SQUAT), rest(12)))
+    distances = compared(unit, unit, unit)
+    near = whole(distances, 0, len(unit), 2 * len(unit))
+    assert is_near(near)
+    assert len(divided([near], distances)) == 4

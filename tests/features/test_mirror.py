@@ -36,3 +36,14 @@ def test_there_is_no_mirror_of_what_is_no_place(rng):
     sides = ("left_hand", "right_hand")
     assert mirrored(postures(rng, sides)) is not None
     assert mirrored(postures(rng, sides, width=4)) is None
+
+
+def test_a_walk_in_the_mirror_is_the_walk_half_a_cycle_later():
+    phase = 2 * np.pi * np.arange(40) / 40
+    left = np.stack((0.2 + 0.02 * np.sin(phase), 0.1 * np.cos(phase) ** 3, 0.5 * np.sin(phase + 0.3)), axis=1)
+    right = np.roll(left, -20, axis=0) * [-1, 1, 1]
+    head = np.stack((0.05 * np.sin(phase), 1 + 0.03 * np.cos(2 * phase), np.zeros(40)), axis=1)
+    names = ("left_foot", "right_foot", "head")
+    walk = FeatureSequence(np.concatenate((left, right, head), axis=1), names, 40.0, ("place",), 3)
+    np.testing.assert_allclose(mirrored(walk).values, np.roll(walk.values, -20, axis=0), atol=1e-12)
+    assert not np.allclose(mirrored(walk).values, walk.values, atol=0.1)
