@@ -124,6 +124,15 @@ def test_ctrl_c_stops_with_130_and_one_line(tmp_path: Path) -> None:
 
 
 @pytest.mark.skipif(os.name == "nt", reason="pipes of POSIX")
+def test_a_file_is_written_though_the_reader_has_left(made: Path, tmp_path: Path) -> None:
+    command = [sys.executable, "-m", "leitmotion", "patterns", str(made / "jacks.bvh"), "-o", "found.csv"]
+    with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, cwd=tmp_path) as told:
+        assert told.stdout is not None
+        told.stdout.close()
+        told.wait(60)
+    assert (tmp_path / "found.csv").read_text().startswith("path,pattern")
+
+
 def test_a_reader_that_leaves_is_no_error() -> None:
     with subprocess.Popen(
         [sys.executable, "-m", "leitmotion", "--help"],

@@ -51,7 +51,7 @@ def test_json_tells_where_each_is_and_where_it_was(
 def test_without_a_file_it_is_told_and_nothing_is_written(run: Run, made: Path) -> None:
     told = run("patterns", made / "jacks.bvh", "--summary")
     assert told.exit_code == 0
-    assert "nothing was written: name a file with -o" in told.stdout
+    assert "it was not written: name it with -o" in told.stdout
     assert list(Path().iterdir()) == []
 
 
@@ -86,7 +86,7 @@ def test_nothing_recurs_and_nothing_is_written(run: Run, made: Path) -> None:
     told = run("patterns", made / "once.bvh", "--summary", "-o", "short.bvh")
     assert told.exit_code == 0
     assert told.stdout.startswith("Nothing repeats here.\n")
-    assert "So there is nothing to summarise, and nothing was written." in told.stdout
+    assert "So there is nothing to summarise, and no recording was written." in told.stdout
     assert not Path("short.bvh").exists()
     result = json.loads(run("patterns", made / "once.bvh", "--summary", "-o", "short.bvh", "--json").stdout)[
         "result"
@@ -120,10 +120,11 @@ def test_a_file_of_other_content_is_replaced_only_by_force(run: Run, made: Path)
     [
         (["--summary", "--lesson"], "ask for one of them"),
         (["--summary", "--residual"], "ask for one of them"),
-        (["--contents", "c.csv"], "give --summary as well"),
+        (["--contents", "c.csv"], "give --summary and -o as well"),
+        (["--summary", "--contents", "c.csv"], "give --summary and -o as well"),
         (["--summary", "-o", "short.doc"], "end it in"),
         (["--summary", "-o", "in.bvh"], "inputs are never written over"),
-        (["--summary", "--contents", "c.txt"], "end it in .csv, .json"),
+        (["--summary", "-o", "s.bvh", "--contents", "c.txt"], "end it in .csv, .json"),
         (["--summary", "-o", "c.csv", "--contents", "c.csv"], "is the summary itself"),
     ],
 )

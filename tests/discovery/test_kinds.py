@@ -53,6 +53,15 @@ def test_cycles_of_two_kinds_are_two_themes():
     assert (second.start, second.stop) == (90.0, 180.5)
 
 
+def test_moments_that_were_not_seen_part_no_theme():
+    theme, distances = theme_of("aaaaaa")
+    hidden = distances.features.values.copy()
+    for cycle in (1, 4):
+        hidden[CYCLE * cycle + 12 : CYCLE * cycle + 14] = np.nan
+    holed = Distances(distances.features.replace(values=hidden))
+    assert part_themes([theme], holed, NEAR) == [theme]
+
+
 def test_alike_cycles_stay_one_theme_untouched():
     theme, distances = theme_of("aca", "ac")
     assert part_themes([theme], distances, NEAR) == [theme]

@@ -189,6 +189,24 @@ def _holding(spans, span, slack=0):
     return which
 
 
+def test_what_comes_near_is_told_whatever_contrast_is_asked():
+    found = find_patterns(swings(1, 1), max_distance=0.001, min_contrast=0.0)
+    assert isinstance(found.nearest_miss, str)
+    steps = np.cumsum(np.random.default_rng(0).normal(size=(600, 6)), axis=0) * 0.01
+    walk = FeatureSequence(steps, ("a", "b"), 30.0, ("place",), 3)
+    assert find_patterns(walk, max_distance=0.04, min_contrast=0.0).nearest_miss.startswith("The nearest")
+
+
+def test_a_recording_of_which_nothing_was_seen_says_so():
+    hidden = FeatureSequence(np.full((300, 6), np.nan), ("a", "b"), 30.0, ("place",), 3)
+    assert find_patterns(hidden).nearest_miss == "Nothing was seen in this recording."
+
+
+def test_stretches_too_short_for_a_movement_are_refused():
+    with pytest.raises(ParameterError, match=r"0\.1 s or more, got 0\.034"):
+        find_patterns(swings(3), min_duration_s=0.034)
+
+
 def test_unknown_methods_and_options_are_refused(found):
     postures = swings(3)
     with pytest.raises(ParameterError, match="one of recurrence, tang2008"):

@@ -97,6 +97,14 @@ def test_a_movement_and_its_mirror_image_are_not_divided():
     assert len(divided([stripe], distances, lambda a, b: False)) == 2
 
 
+@pytest.mark.parametrize("periods", [1, 2, 3])
+def test_the_stripe_of_several_periods_of_one_movement_stays_whole(periods):
+    distances = compared(*[moved(KICK)] * 6)
+    stripe = whole(distances, 5, 5 + 45 * periods, 45 * (6 - periods) - 10)
+    assert is_near(stripe)
+    assert divided([stripe], distances) == [stripe]
+
+
 def test_plain_cycles_stay_whole():
     distances = compared(*[moved(KICK, 45)] * 4)
     (near,) = (stripe for stripe in traced(distances) if stripe.lag < 1.5 * 45)
@@ -171,3 +179,10 @@ def test_two_movements_in_turn_without_a_break_are_divided_all_along():
     near = whole(distances, 0, len(unit), 2 * len(unit))
     assert is_near(near)
     assert len(divided([near], distances)) == 4
+
+
+def test_moments_that_were_not_seen_hide_no_alternation():
+    left, right = moved((0, 1, 2)), moved((3, 4, 5)) * np.tile([-1, 1, 1], 3)
+    hidden = np.concatenate((left, right))
+    hidden[20:22] = np.nan
+    assert alternation(compared(hidden), NEAR)((0, 45), (45, 90))

@@ -47,3 +47,8 @@ def test_a_walk_in_the_mirror_is_the_walk_half_a_cycle_later():
     walk = FeatureSequence(np.concatenate((left, right, head), axis=1), names, 40.0, ("place",), 3)
     np.testing.assert_allclose(mirrored(walk).values, np.roll(walk.values, -20, axis=0), atol=1e-12)
     assert not np.allclose(mirrored(walk).values, walk.values, atol=0.1)
+
+
+def test_angles_have_no_mirror_image():
+    angles = FeatureSequence(np.zeros((2, 6)), ("left_elbow", "right_elbow"), 30, (), 3, unit="rad")
+    assert mirrored(angles) is None

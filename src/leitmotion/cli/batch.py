@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import contextlib
+import os
+import sys
 from collections.abc import Callable, Collection, Generator, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -185,12 +187,19 @@ def _print(
         document = answer_document(
             verb, answer.source, parameters=answer.parameters, warnings=answer.warnings, result=answer.result
         )
-    if options.as_json:
-        click.echo(as_line(document))
-    elif isinstance(answer, Failure):
-        click.echo(line(given, "Error", answer.text, alone=alone), err=True)
-    elif alone or not answer.silent:
-        _show(given, answer, options, first=first, alone=alone)
+    try:
+        if options.as_json:
+            click.echo(as_line(document))
+        elif isinstance(answer, Failure):
+            click.echo(line(given, "Error", answer.text, alone=alone), err=True)
+        elif alone or not answer.silent:
+            _show(given, answer, options, first=first, alone=alone)
+        sys.stdout.flush()
+    except BrokenPipeError:
+        if options.output is None:
+            raise
+        # Who read our output has gone, but a file was asked for as well.
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
     return document
 
 

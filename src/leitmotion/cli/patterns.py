@@ -80,8 +80,10 @@ def patterns(
         raise click.UsageError(
             "--residual, --summary, --lesson and --across are answers of their own: ask for one of them."
         )
-    if contents is not None and not summary:
-        raise click.UsageError("--contents is the table of contents of a summary: give --summary as well.")
+    if contents is not None and (not summary or options.output is None):
+        raise click.UsageError(
+            "--contents is the table of contents of a summary: give --summary and -o as well."
+        )
     if across:
         finish(answer_across(inputs, options))
         return

@@ -15,7 +15,11 @@ def answer_console() -> Console:
     """Return the console that answers are printed on, never wrapped where they go into a file or a pipe."""
     from rich.console import Console
 
-    console = Console(markup=False, highlight=False, emoji=False, soft_wrap=True)
+    class Answers(Console):
+        def on_broken_pipe(self) -> None:
+            raise BrokenPipeError  # as all else that prints: what is to be written is written all the same
+
+    console = Answers(markup=False, highlight=False, emoji=False, soft_wrap=True)
     if not console.is_terminal:
         console.width = 10_000
     return console

@@ -90,7 +90,7 @@ def summarise(inputs: tuple[str, ...], contents: Path | None, options: Options) 
         def show(console: Console) -> None:
             if shown is None:
                 show_patterns(console, found, seconds=seconds, body=opened.body)
-                console.print("So there is nothing to summarise, and nothing was written.")
+                console.print("So there is nothing to summarise, and no recording was written.")
             else:
                 _show(console, shown, found, written, seconds=seconds)
 
@@ -126,7 +126,7 @@ def _contents(shown: Summary | None, found: Patterns) -> list[Document]:
 def _show(console: Console, shown: Summary, found: Patterns, written: Path | None, *, seconds: float) -> None:
     from leitmotion.view.counting import clock, plural
 
-    where = f"written to {written}" if written is not None else "nothing was written: name a file with -o"
+    where = f"written to {written}" if written is not None else "it was not written: name it with -o"
     count = plural(len(shown.contents), "movement")
     console.print(
         f"{count} in {shown.recording.duration:.1f} s, of a recording of {seconds:.1f} s; {where}.",

@@ -5,7 +5,8 @@ Conventions
 A pattern is *right* when at least 80 % of its pairs join two stretches of one action, by the protocol of
 :mod:`leitmotion.evaluation.patterns`. The weights were fitted by logistic regression on recordings of a few people
 (``python benchmarks/fit_confidence.py`` prints them); how often it holds on others is measured by
-``benchmarks/bench_confidence.py``.
+``benchmarks/bench_confidence.py``, for postures with equal weights in one recording. Elsewhere (other features, active
+weights, several recordings) it is the same number, unmeasured.
 """
 
 from __future__ import annotations

@@ -13,11 +13,11 @@ from itertools import combinations, pairwise
 import numpy as np
 
 from leitmotion.discovery.families import Run
+from leitmotion.discovery.overlay import overlay_cost
 from leitmotion.discovery.themes import Theme
-from leitmotion.similarity import Distances, align
+from leitmotion.similarity import Distances
 
 COMPARED = 24  # cycles of a theme that are compared each with each; the others go to the nearest
-FAR = 1.0  # body sizes: what is not seen is this far from all else
 
 
 def part_themes(themes: Sequence[Theme], distances: Distances, max_distance: float) -> list[Theme]:
@@ -64,25 +64,26 @@ def _kinds(cycles: Sequence[tuple[float, float]], distances: Distances, max_dist
     some = np.unique(np.linspace(0, count - 1, min(count, COMPARED)).round().astype(int))
     apart = np.zeros((len(some), len(some)))
     for x, y in combinations(range(len(some)), 2):
-        apart[x, y] = apart[y, x] = _apart(cycles[some[x]], cycles[some[y]], distances)
+        apart[x, y] = apart[y, x] = _apart(cycles[some[x]], cycles[some[y]], distances, max_distance)
     groups = fcluster(linkage(squareform(apart), "average"), max_distance, "distance") - 1
     kinds = np.zeros(count, int)
+    nearest = [some[np.flatnonzero(groups == group)[0]] for group in range(groups.max() + 1)]
     for k, cycle in enumerate(cycles):
         at = np.searchsorted(some, k)
         if at < len(some) and some[at] == k:
             kinds[k] = groups[at]
         else:
-            nearest = [some[np.flatnonzero(groups == g)[0]] for g in range(groups.max() + 1)]
-            kinds[k] = int(np.argmin([_apart(cycle, cycles[n], distances) for n in nearest]))
+            kinds[k] = int(np.argmin([_apart(cycle, cycles[n], distances, max_distance) for n in nearest]))
     return kinds
 
 
-def _apart(a: tuple[float, float], b: tuple[float, float], distances: Distances) -> float:
-    """Mean distance of two cycles along their warping path; what was not seen is far."""
+def _apart(
+    a: tuple[float, float], b: tuple[float, float], distances: Distances, max_distance: float
+) -> float:
+    """Mean distance of two cycles along their warping path."""
     last = len(distances)
     rows, columns = (range(int(start), min(last, max(int(start) + 2, round(stop)))) for start, stop in (a, b))
-    apart = distances.between(rows, columns)
-    return float(align(np.where(np.isnan(apart), FAR, apart)).cost)
+    return overlay_cost(distances.between(rows, columns), max_distance)
 
 
 def _runs_of_kind(cycles: Sequence[tuple[Run, float, float]], kinds: np.ndarray, kind: int) -> list[Run]:

@@ -37,6 +37,7 @@ MIN_AMPLITUDE = 0.012  # body sizes: what the joints must move, on average, not 
 MIN_CONTRAST = 0.3  # a stripe must be this much nearer than its surroundings
 WIDER = 1.4  # times the distance of what is alike: so near is enough in what is left over
 CLEARER = 0.4  # where this much nearer than its surroundings
+SHORTEST_S = 0.1  # a stretch of three moments
 MISS_S = 600.0  # what comes nearest is looked for among stretches this far apart
 
 
@@ -83,6 +84,11 @@ def find_recurrences(
     for name, value in (("max_distance", max_distance), ("min_duration_s", min_duration_s)):
         if not 0 < value < np.inf:
             raise ParameterError(f"{name} must be positive and finite, got {value}.")
+    if min_duration_s < SHORTEST_S:
+        raise ParameterError(
+            f"min_duration_s must be {SHORTEST_S:g} s or more, got {min_duration_s:g}.",
+            remedy=f"At {WORKING_RATE:g} moments a second a shorter stretch shows no movement.",
+        )
     if not 0 <= min_amplitude < np.inf:
         raise ParameterError(f"min_amplitude must be 0 or more and finite, got {min_amplitude}.")
     if not 0 <= min_contrast < 1:
@@ -194,6 +200,8 @@ def _nearest_miss(
 
     Empty where nothing comes near even so.
     """
+    if not np.isfinite(distances.features.values).any():
+        return "Nothing was seen in this recording."
     if alike.still.all():
         return "The body keeps still all the time, and stillness does not count as a repeat."
     generous = 2 * asked["max_distance"]
@@ -204,7 +212,8 @@ def _nearest_miss(
     if not near:
         return ""
     best = max(
-        near, key=lambda s: min(s.contrast / asked["min_contrast"], 2 - s.cost / asked["max_distance"])
+        near,
+        key=lambda s: min(s.contrast / max(asked["min_contrast"], 1e-9), 2 - s.cost / asked["max_distance"]),
     )
     a, b = (tuple(moment / WORKING_RATE for moment in span) for span in (best.a, best.b))
     apart = length_in_words(best.cost, features.scale, features.unit)

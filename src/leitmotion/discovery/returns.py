@@ -2,9 +2,10 @@
 
 Conventions
 -----------
-Moments of the working rate. A *return* is an acyclic movement with the stretches in which it occurs. Every stretch of
-every stripe is a candidate; the one that explains most is taken, what it explains is taken from the others, and
-so on. Only candidates that this touches are judged anew, so that a long recording takes little longer per second.
+Moments of the working rate. A *return* is a movement without a run of more than two cycles, with the stretches in which
+it occurs; two of them may overlap by half of the shortest stretch. Every stretch of every stripe is a candidate; the
+one that explains most is taken, what it explains is taken from the others, and so on. Only candidates that this touches
+are judged anew.
 
 References
 ----------
@@ -34,7 +35,7 @@ AGREED = (
 
 @dataclass
 class Return:
-    """An acyclic movement: where it occurs, and the stripes that show it."""
+    """A movement that comes back: where it occurs, and the stripes that show it."""
 
     spans: list[tuple[float, float]]
     stripes: list[Stripe]

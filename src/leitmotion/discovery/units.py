@@ -17,17 +17,16 @@ from itertools import pairwise
 import numpy as np
 
 from leitmotion.discovery.families import is_near
+from leitmotion.discovery.overlay import overlay_cost
 from leitmotion.discovery.stripes import Likeness, Stripe, measure
 from leitmotion.features.mirror import mirrored
-from leitmotion.features.sequence import FeatureSequence
-from leitmotion.similarity import Distances, align, cross_distance
+from leitmotion.similarity import Distances, cross_distance
 
 PAUSE = 0.8  # of the speed before and after: slower is a pause
 AROUND_S = 0.5  # how far before and after
 SETTLE_S = 0.2  # how near to an end of a movement its posture is looked for
 BACK = 0.35  # of how far a movement leads away: it is back when it is this near again
 UNLIKE = 0.7  # of the distance of two movements: a mirror image this much nearer is of the other side
-FAR = 1.0  # body sizes: what is not seen is this far from all else
 AWAY = 2.0  # times the distance of what is alike: how far a movement must lead away before it comes back
 
 
@@ -56,17 +55,14 @@ def alternation(distances: Distances, max_distance: float) -> Alternates:
     def alternates(a: tuple[int, int], b: tuple[int, int]) -> bool:
         if image is None:
             return False
-        one = features[slice(*a)]
-        exchanged = _cost(one, image[slice(*b)])
-        return exchanged < max_distance and exchanged < UNLIKE * _cost(one, features[slice(*b)])
+        one, other = features[slice(*a)], slice(*b)
+        exchanged, straight = (
+            overlay_cost(cross_distance(one, whole[other]).values, max_distance)
+            for whole in (image, features)
+        )
+        return exchanged < max_distance and exchanged < UNLIKE * straight
 
     return alternates
-
-
-def _cost(a: FeatureSequence, b: FeatureSequence) -> float:
-    """Mean distance along the warping path; what was not seen is far."""
-    apart = cross_distance(a, b).values
-    return float(align(np.where(np.isnan(apart), FAR, apart)).cost)
 
 
 def divide(
@@ -81,7 +77,7 @@ def divide(
     """Divide the stripes that show several closed movements in a row.
 
     Of a movement that goes on without a break (a near stripe) only one cycle is asked: where that holds several
-    movements, the stripe is divided; else it is a family of cycles and stays whole.
+    unlike movements, the stripe is divided; else it is a family of cycles and stays whole.
 
     Parameters
     ----------
@@ -108,6 +104,8 @@ def divide(
         cuts = []
         cycle = stripe.path if not is_near(stripe) else _cycle(stripe)
         inner = _closures(cycle, distances, alike, max_distance, shortest)
+        if is_near(stripe) and _same_again(cycle, inner, distances, max_distance):
+            inner = []  # the stripe of several periods of one movement
         if _without_alternations(cycle, inner, alternates):
             cuts = _closures(stripe.path, distances, alike, max_distance, shortest)
             cuts = _without_alternations(stripe.path, cuts, alternates)
@@ -117,6 +115,15 @@ def divide(
             kept.append(stripe)
     pieces = [piece for piece in measure(paths, distances, alike) if piece is not None]
     return kept + [p for p in pieces if min(p.a[1] - p.a[0], p.b[1] - p.b[0]) >= shortest]
+
+
+def _same_again(path: np.ndarray, cuts: Sequence[int], distances: Distances, max_distance: float) -> bool:
+    """Whether all movements that one cycle holds are alike."""
+    moments = path[[0, *cuts, len(path) - 1], 0].tolist()
+    pieces = [range(start, stop) for start, stop in pairwise(moments)]
+    return all(
+        overlay_cost(distances.between(a, b), max_distance) < max_distance for a, b in pairwise(pieces)
+    )
 
 
 def _without_alternations(path: np.ndarray, cuts: Sequence[int], alternates: Alternates) -> list[int]:

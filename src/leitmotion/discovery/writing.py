@@ -10,6 +10,7 @@ import numpy as np
 
 from leitmotion.discovery.confidence import Evidence, confidence
 from leitmotion.discovery.families import TOUCH
+from leitmotion.discovery.overlay import overlay_cost
 from leitmotion.discovery.pattern import Pattern, PatternPair, cut_at_occurrences, letter
 from leitmotion.discovery.returns import Return
 from leitmotion.discovery.search import Criteria, Seen
@@ -17,7 +18,7 @@ from leitmotion.discovery.stripes import Stripe, likeness, measure, part
 from leitmotion.discovery.themes import Theme
 from leitmotion.features.sequence import FeatureSequence
 from leitmotion.motion.segmentation import Segmentation
-from leitmotion.similarity import Distances, align
+from leitmotion.similarity import Distances
 
 COMPARED = 60  # pairs of occurrences that are aligned to judge a pattern
 AGREED = 1.25  # times the distance of what is alike: two whole occurrences, ends and all, are alike
@@ -184,16 +185,8 @@ class Scribe:
         costs = []
         for i, j in pairs:
             rows, columns = (_moments(occurrences[k], len(self.distances)) for k in (i, j))
-            costs.append(self._cost(self.distances.between(rows, columns)))
+            costs.append(overlay_cost(self.distances.between(rows, columns), self.max_distance))
         return np.array(costs), pairs
-
-    def _cost(self, apart: np.ndarray) -> float:
-        """Mean distance of two occurrences laid over one another; moments that were not seen are left out."""
-        seen = ~np.isnan(apart)
-        if not seen.any():
-            return self.max_distance
-        apart = apart[np.ix_(seen.any(axis=1), seen.any(axis=0))]
-        return float(align(np.where(np.isnan(apart), self.max_distance, apart)).cost)
 
     def _within(self, theme: Theme) -> list[Stripe]:
         """The parts of a theme's stripes that lie in its stretches."""

@@ -8,8 +8,9 @@ recurring ones; an action is found when at least half of its frames lie in occur
 stand the error of the borders and the count of cycles of each run.
 
 A *true pair* is two runs of one recurring action, or a cyclic run with itself. It is *linked* when right pairs show the
-one run in the other over at least half of the shorter one. So each two runs count once, however many cycles they hold
-and however a method cuts them: one long pair and ten short ones that cover the same are worth the same.
+one run in the other over at least half of the shorter one. So in recall each two runs count once, however many cycles
+they hold and however a method cuts them: one long pair and ten short ones that cover the same are worth the same. Type
+I error and precision count pairs.
 
 References
 ----------

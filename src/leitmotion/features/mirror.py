@@ -16,13 +16,13 @@ def mirrored(features: FeatureSequence) -> FeatureSequence | None:
     Parameters
     ----------
     features : FeatureSequence
-        Postures of a body that faces +Z, groups of three values: T frames.
+        Postures or velocities of a body that faces +Z, groups of three values: T frames. Joints are weighted equally.
 
     Returns
     -------
     FeatureSequence or None
-        x negated, each role's place that of its partner; None where the names tell no sides, or a side lacks a
-        partner.
+        x negated, each role's place that of its partner; None of angles, where the names tell no sides, or where a
+        side lacks a partner.
 
     Examples
     --------
@@ -30,7 +30,11 @@ def mirrored(features: FeatureSequence) -> FeatureSequence | None:
     >>> mirrored(hands).values.tolist()
     [[4.0, 5.0, 6.0, -1.0, 2.0, 3.0]]
     """
-    if features.width != 3 or not any(name.startswith(SIDES) for name in features.names):
+    if (
+        features.width != 3
+        or features.unit == "rad"
+        or not any(name.startswith(SIDES) for name in features.names)
+    ):
         return None
     partners = [mirror_role(name) for name in features.names]
     if any(partner not in features.names for partner in partners):

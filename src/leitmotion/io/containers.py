@@ -278,7 +278,10 @@ def _members(file: Path) -> dict[str, zipfile.ZipInfo]:
 
 def _member(file: Path, inside: str) -> bytes:
     if not is_archive(file):
-        raise FormatError(f"There is no file {file / inside}: {file.name} is a file, not a folder.")
+        raise FormatError(
+            f"There is no file {file / inside}: {file.name} is a file, not a folder, and no zip archive.",
+            remedy="Unpack it into a folder of that name, or name a file that is there.",
+        )
     members = _members(file)
     info = members.get(inside)
     if info is None:
