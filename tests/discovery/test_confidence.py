@@ -33,5 +33,5 @@ def test_it_is_a_probability(contrast, apart, seconds):
 
 
 def test_it_is_the_logistic_function_of_the_fitted_weights():
-    z = 2.12 + 0.39 * 0.6 - 1.57 * 0.8 + 0.62 * np.log(1.5)
+    z = 2.19 + 0.39 * 0.6 - 1.57 * 0.8 + 0.62 * np.log(1.5)
     assert confidence(MIDDLE) == pytest.approx(1 / (1 + np.exp(-z)))

@@ -16,7 +16,7 @@ from typing import NamedTuple
 import numpy as np
 
 CONSTANT, CONTRAST, APART, LENGTH = (
-    2.12,
+    2.19,
     0.39,
     -1.57,
     0.62,
