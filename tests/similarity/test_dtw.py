@@ -7,7 +7,7 @@ from hypothesis import strategies as st
 
 from leitmotion.features import FeatureSequence
 from leitmotion.motion import DataError, ParameterError
-from leitmotion.similarity import align, cross_distance
+from leitmotion.similarity import align, cross_distance, warping_cost
 from oracles.dtw import PATTERNS, cheapest
 
 STEPS = sorted(PATTERNS)
@@ -129,3 +129,30 @@ def test_what_cannot_be_aligned_says_why():
         align(x[:0], x)
     with pytest.raises(DataError, match="more than twice as long"):
         align(np.ones((3, 9)), step="symmetricP1")
+
+
+@settings(deadline=None, max_examples=60)
+@given(n=st.integers(1, 12), m=st.integers(1, 12), equal=st.booleans(), seed=st.integers(0, 999))
+def test_the_cost_is_the_same_without_the_path(n, m, equal, seed):
+    rng = np.random.default_rng(seed)
+    one, other = (
+        FeatureSequence(rng.integers(0, 2, (k, 6)) if equal else rng.random((k, 6)), ("a", "b"), 30, width=3)
+        for k in (n, m)
+    )
+    assert warping_cost(one, other, 9.0) == pytest.approx(align(one, other).cost, rel=1e-6)
+
+
+def test_moments_that_were_not_seen_cost_nothing_and_those_that_share_no_joint_what_is_said():
+    values = np.arange(24.0).reshape(4, 6)
+    values[1] = np.nan
+    one = FeatureSequence(values, ("a", "b"), 30, width=3)
+    assert warping_cost(one, one.replace(values=values[[0, 2, 3]]), 9.0) == 0
+    left, right = values.copy()[:1], values.copy()[:1]
+    left[:, :3], right[:, 3:] = np.nan, np.nan
+    assert warping_cost(one.replace(values=left), one.replace(values=right), 9.0) == 9.0
+    assert warping_cost(one[1:2], one, 9.0) == 9.0
+
+
+def test_what_does_not_hold_the_same_features_is_not_compared():
+    with pytest.raises(ParameterError, match="same features"):
+        warping_cost(walk([0, 1]), walk([0, 1]).replace(names=("foot",)), 1.0)

@@ -13,7 +13,7 @@ from itertools import combinations, pairwise
 import numpy as np
 
 from leitmotion.discovery.families import Run
-from leitmotion.discovery.overlay import overlay_cost
+from leitmotion.discovery.overlay import overlay_of_stretches
 from leitmotion.discovery.themes import Theme
 from leitmotion.similarity import Distances
 
@@ -83,7 +83,7 @@ def _apart(
     """Mean distance of two cycles along their warping path."""
     last = len(distances)
     rows, columns = (range(int(start), min(last, max(int(start) + 2, round(stop)))) for start, stop in (a, b))
-    return overlay_cost(distances.between(rows, columns), max_distance)
+    return overlay_of_stretches(distances, rows, columns, max_distance)
 
 
 def _runs_of_kind(cycles: Sequence[tuple[Run, float, float]], kinds: np.ndarray, kind: int) -> list[Run]:

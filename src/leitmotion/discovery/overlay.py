@@ -9,7 +9,12 @@ from __future__ import annotations
 
 import numpy as np
 
-from leitmotion.similarity import align
+from leitmotion.discovery.labour import aside
+from leitmotion.features.sequence import FeatureSequence
+from leitmotion.similarity import Distances, align, cross_distance, warping_cost
+
+HELD = 600 * 600  # distances held at once: those of two stretches of 20 s
+LOOKED_AT = 20_000 * 20_000  # distances computed: those of two stretches of eleven minutes, seconds of work
 
 
 def overlay_cost(apart: np.ndarray, unseen: float) -> float:
@@ -38,3 +43,51 @@ def overlay_cost(apart: np.ndarray, unseen: float) -> float:
         return unseen
     apart = apart[np.ix_(seen.any(axis=1), seen.any(axis=0))]
     return float(align(np.where(np.isnan(apart), unseen, apart)).cost)
+
+
+def overlay_of_stretches(distances: Distances, rows: range, columns: range, unseen: float) -> float:
+    """Mean distance of two stretches of one recording along their warping path, however long they are.
+
+    Parameters
+    ----------
+    distances : Distances
+        Posture distances of N moments.
+    rows, columns : range
+        The stretches, moments that follow one another.
+    unseen : float
+        As for :func:`overlay_cost`.
+
+    Returns
+    -------
+    float
+        `unseen` where nothing was seen.
+    """
+    if len(rows) * len(columns) <= HELD:
+        return overlay_cost(distances.between(rows, columns), unseen)
+    whole = distances.features
+    return overlay_of(whole[rows.start : rows.stop], whole[columns.start : columns.stop], unseen)
+
+
+def overlay_of(one: FeatureSequence, other: FeatureSequence, unseen: float) -> float:
+    """Mean distance of two sequences along their warping path, however long they are.
+
+    Beyond 20 s their distances are never held all at once, and beyond eleven minutes only every n-th moment is
+    looked at, so that neither memory nor time run away.
+
+    Parameters
+    ----------
+    one, other : FeatureSequence
+        The same features of two stretches.
+    unseen : float
+        As for :func:`overlay_cost`.
+
+    Returns
+    -------
+    float
+        `unseen` where nothing was seen.
+    """
+    cells = len(one) * len(other)
+    if cells <= HELD:
+        return overlay_cost(cross_distance(one, other).values, unseen)
+    every = int(np.ceil(np.sqrt(cells / LOOKED_AT)))
+    return aside(warping_cost, one[::every], other[::every], unseen)

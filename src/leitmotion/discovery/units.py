@@ -17,10 +17,10 @@ from itertools import pairwise
 import numpy as np
 
 from leitmotion.discovery.families import is_near
-from leitmotion.discovery.overlay import overlay_cost
+from leitmotion.discovery.overlay import overlay_of, overlay_of_stretches
 from leitmotion.discovery.stripes import Likeness, Stripe, measure
 from leitmotion.features.mirror import mirrored
-from leitmotion.similarity import Distances, cross_distance
+from leitmotion.similarity import Distances
 
 PAUSE = 0.8  # of the speed before and after: slower is a pause
 AROUND_S = 0.5  # how far before and after
@@ -56,10 +56,7 @@ def alternation(distances: Distances, max_distance: float) -> Alternates:
         if image is None:
             return False
         one, other = features[slice(*a)], slice(*b)
-        exchanged, straight = (
-            overlay_cost(cross_distance(one, whole[other]).values, max_distance)
-            for whole in (image, features)
-        )
+        exchanged, straight = (overlay_of(one, whole[other], max_distance) for whole in (image, features))
         return exchanged < max_distance and exchanged < UNLIKE * straight
 
     return alternates
@@ -122,7 +119,7 @@ def _same_again(path: np.ndarray, cuts: Sequence[int], distances: Distances, max
     moments = path[[0, *cuts, len(path) - 1], 0].tolist()
     pieces = [range(start, stop) for start, stop in pairwise(moments)]
     return all(
-        overlay_cost(distances.between(a, b), max_distance) < max_distance for a, b in pairwise(pieces)
+        overlay_of_stretches(distances, a, b, max_distance) < max_distance for a, b in pairwise(pieces)
     )
 
 

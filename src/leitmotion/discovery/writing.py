@@ -10,7 +10,7 @@ import numpy as np
 
 from leitmotion.discovery.confidence import Evidence, confidence
 from leitmotion.discovery.families import TOUCH
-from leitmotion.discovery.overlay import overlay_cost
+from leitmotion.discovery.overlay import overlay_of_stretches
 from leitmotion.discovery.pattern import Pattern, PatternPair, cut_at_occurrences, letter
 from leitmotion.discovery.returns import Return
 from leitmotion.discovery.search import Criteria, Seen
@@ -185,7 +185,7 @@ class Scribe:
         costs = []
         for i, j in pairs:
             rows, columns = (_moments(occurrences[k], len(self.distances)) for k in (i, j))
-            costs.append(overlay_cost(self.distances.between(rows, columns), self.max_distance))
+            costs.append(overlay_of_stretches(self.distances, rows, columns, self.max_distance))
         return np.array(costs), pairs
 
     def _within(self, theme: Theme) -> list[Stripe]:

@@ -2,7 +2,7 @@
 
 from leitmotion.similarity.alignment import Alignment
 from leitmotion.similarity.distance import cross_distance, self_distance
-from leitmotion.similarity.dtw import align
+from leitmotion.similarity.dtw import align, warping_cost
 from leitmotion.similarity.matrix import SimilarityMatrix
 from leitmotion.similarity.on_demand import Distances
 from leitmotion.similarity.pairs import pair_distances
@@ -15,4 +15,5 @@ __all__ = [
     "cross_distance",
     "pair_distances",
     "self_distance",
+    "warping_cost",
 ]

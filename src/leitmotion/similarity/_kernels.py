@@ -253,6 +253,30 @@ def accumulate(d, w, limited, open_begin, move):
     return D[(N - 1) % 3], W[(N - 1) % 3]
 
 
+@njit(cache=True, nogil=True)
+def warping_cost(a, N, width, unseen):
+    """Mean distance along the path of `accumulate` (w = 1, ends bound) from moments [0, N) to those that follow them.
+
+    Only one row is held, so the number of cells that the path has is carried along. `unseen` is the distance of
+    moments that share no group.
+    """
+    M = a.shape[1] - N
+    d = np.empty(M, np.float32)
+    D, K = np.full(M, np.inf), np.zeros(M, np.int64)  # of row i to the left of j, of row i - 1 from there on
+    for i in range(N):
+        distances_to(a, i, N, N + M, 1, width, d)
+        diagonal, k_diagonal = 0.0 if i == 0 else np.inf, 0
+        left, k_left = np.inf, 0
+        for j in range(M):
+            up, k_up = D[j], K[j]
+            best, k = (diagonal, k_diagonal) if diagonal <= up else (up, k_up)
+            best, k = (best, k) if best <= left else (left, k_left)
+            left, k_left = best + (np.float64(d[j]) if d[j] == d[j] else unseen), k + 1
+            D[j], K[j] = left, k_left
+            diagonal, k_diagonal = up, k_up
+    return D[M - 1] / K[M - 1]
+
+
 @njit(cache=True)
 def trace_back(move, j):
     """Follow the moves from the last row's column j to where the path started, and turn the path round."""

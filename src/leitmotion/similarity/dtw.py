@@ -18,7 +18,7 @@ import numpy as np
 from leitmotion.features.sequence import FeatureSequence
 from leitmotion.motion.errors import DataError, ParameterError
 from leitmotion.similarity.alignment import Alignment
-from leitmotion.similarity.distance import cross_distance
+from leitmotion.similarity.distance import _across_time, _centre, check_comparable, cross_distance
 from leitmotion.similarity.matrix import SimilarityMatrix
 
 STEPS = {"symmetric1": (1.0, False), "symmetric2": (2.0, False), "symmetricP1": (2.0, True)}
@@ -85,6 +85,53 @@ def align(
         )
     path = _kernels.trace_back(move, end)
     return Alignment(path=path, cost=float(d[path[:, 0], path[:, 1]].mean()), stop=int(end) + 1)
+
+
+def warping_cost(a: FeatureSequence, b: FeatureSequence, unseen: float) -> float:
+    """Mean distance of two stretches along their warping path, in memory that grows with their length alone.
+
+    What :func:`align` calls cost, with steps "symmetric1" and without the path; so two stretches of minutes, whose
+    distances would fill the memory, are compared, too. Time grows with the product of their lengths.
+
+    Parameters
+    ----------
+    a, b : FeatureSequence
+        The stretches. Moments of which nothing was seen are left out.
+    unseen : float
+        The distance of moments that share no group, in the unit of the features.
+
+    Returns
+    -------
+    float
+        `unseen` where nothing was seen of one of them.
+
+    Raises
+    ------
+    ParameterError
+        When the two do not hold the same features.
+
+    Examples
+    --------
+    >>> slow = FeatureSequence([[0.0], [1.0], [1.0], [2.0], [3.0], [3.0]], ("hand",), rate=30)
+    >>> fast = slow.replace(values=[[0.0], [1.0], [2.0], [3.0]])
+    >>> warping_cost(slow, fast, 1.0)
+    0.0
+    """
+    check_comparable(a, b)
+    rows, columns = (_across_time(stretch, _centre("mean_norm", a)) for stretch in (a, b))
+    rows, columns = (part[:, _seen(part, a.width)] for part in (rows, columns))
+    if not rows.size or not columns.size:
+        return unseen
+    from leitmotion.similarity import _kernels
+
+    joined = np.ascontiguousarray(np.concatenate((rows, columns), axis=1))
+    return float(_kernels.warping_cost(joined, rows.shape[1], a.width, float(unseen)))
+
+
+def _seen(across: np.ndarray, width: int) -> np.ndarray:
+    """Moments of which a whole group was seen, (T,) bool."""
+    groups = across.reshape(-1, width, across.shape[1])
+    return np.asarray(np.isfinite(groups).all(axis=1).any(axis=0))
 
 
 def _local_distances(
