@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+from leitmotion.discovery import returns
 from leitmotion.discovery.families import overlap
 from leitmotion.discovery.returns import returns_of
 from leitmotion.discovery.stripes import Stripe, likeness
@@ -72,3 +73,40 @@ def test_returns_share_no_more_than_half_of_the_shortest_stretch(grouped):
     first, second = grouped([*LEFT_AND_RIGHT, stripe(20, 480, 50), stripe(240, 540, 50)])
     shared = [overlap(one, other) for one in first.spans for other in second.spans]
     assert max(shared) <= SHORTEST / 2
+
+
+def drawn(rng, count):
+    """Stripes anywhere, of any length and tempo."""
+    made = []
+    for _ in range(count):
+        length, first = rng.integers(SHORTEST, 90), rng.integers(0, 200)
+        i = np.arange(length)
+        second = first + length + rng.integers(0, 200) + np.round(i * rng.uniform(0.6, 1.4)).astype(int)
+        made.append(Stripe(np.stack((first + i, second), axis=1), rng.uniform(0, 0.6), 1.0, float(length)))
+    return made
+
+
+@pytest.mark.parametrize("seed", range(25))
+def test_whatever_the_stripes_each_return_takes_something(grouped, seed):
+    stripes = drawn(np.random.default_rng(seed), 30)
+    found = grouped(stripes)
+    assert 0 < len(found) <= sum(len(stripe.path) for stripe in stripes)
+    taken = np.zeros(600, bool)
+    for item in found:
+        inside = np.zeros(600, bool)
+        for start, stop in item.spans:
+            inside[int(start) : int(np.ceil(stop))] = True
+        assert len(item.spans) >= 2
+        assert (inside & ~taken).any()
+        taken |= inside
+
+
+def test_the_grouping_ends_where_a_round_takes_nothing(grouped, monkeypatch):
+    rounds = []
+
+    def nothing(taken, spans):
+        rounds.append(spans)
+        assert len(rounds) < 100, "it goes on for ever"
+
+    monkeypatch.setattr(returns, "_take", nothing)
+    assert len(grouped([stripe(0, 100, 60), stripe(0, 200, 60)])) == 1

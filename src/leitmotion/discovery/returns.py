@@ -75,7 +75,8 @@ def returns_of(
     Returns
     -------
     list of Return
-        Each with at least two occurrences that do not overlap.
+        Each with at least two occurrences that do not overlap. Occurrences of two returns may, by half of the shortest
+        stretch: what is left of a stripe is cut only where it shares more with what is explained.
     """
     taken = np.zeros(len(distances), bool)
     _take(taken, [(run.start, run.stop) for theme in themes for run in theme.runs])
@@ -107,7 +108,8 @@ def returns_of(
         found.append(best)
         _take(taken, best.spans)
         touched = left.touching(best.spans)
-        left.put(touched, rest_of([left.stripes[k] for k in touched]))
+        if not left.put(touched, rest_of([left.stripes[k] for k in touched])):
+            break  # each round shortens or drops a stripe; where none does, the same would be found again
     return found
 
 
@@ -176,9 +178,11 @@ class _Left:
             reach |= ((self.spans[..., 0] < stop + 1) & (self.spans[..., 1] > start - 1)).any(axis=1)
         return np.flatnonzero(reach)
 
-    def put(self, which: np.ndarray, rests: Sequence[Stripe | None]) -> None:
-        """Put what is left of some stripes in their place, and judge anew whatever they bear on."""
+    def put(self, which: np.ndarray, rests: Sequence[Stripe | None]) -> bool:
+        """Put what is left of some stripes in their place, and judge anew whatever they bear on; false if all stay."""
         changed = np.array([r is not s for r, s in zip(rests, self.stripes[which], strict=True)], bool)
+        if not changed.any():
+            return False
         which, rests = which[changed], [r for r, c in zip(rests, changed, strict=True) if c]
         dirty = np.zeros(int(self.spans.max()) + 2, np.int64)
         for start, stop in self.spans[which].reshape(-1, 2):
@@ -195,6 +199,7 @@ class _Left:
                 self.scores[k] = np.nan
         self.stripes, self.spans, self.scores = self.stripes[keep], self.spans[keep], self.scores[keep]
         self._sort()
+        return True
 
     def _sort(self) -> None:
         order = np.argsort([-stripe.gain for stripe in self.stripes], kind="stable")
