@@ -102,6 +102,31 @@ def test_stillness_is_no_pattern_unless_asked_for(rng):
     assert len(pattern.occurrences) == 2
 
 
+def holds(rng, hidden):
+    """A posture held for 3 s, another, and the first again; some moments of it were not seen."""
+    values = np.repeat([0.0, 0.4, 0.0], 90)[:, None] + rng.normal(scale=1e-3, size=(270, 9))
+    values[hidden] = np.nan
+    return FeatureSequence(values, ("a", "b", "c"), 30.0, ("place",), 3)
+
+
+@pytest.mark.parametrize("hidden", [slice(26, 34), slice(0, 8), slice(80, 95), slice(230, 255), [3, 30, 31]])
+def test_a_gap_of_unseen_moments_ends_no_hold(rng, hidden):
+    (pattern,) = find_patterns(holds(rng, hidden), stillness=True).patterns
+    (whole,) = find_patterns(holds(rng, []), stillness=True).patterns
+    for what in ("starts", "stops"):
+        told, meant = (getattr(it.occurrences, what) for it in (pattern, whole))
+        np.testing.assert_allclose(told, meant, atol=8)
+
+
+def test_what_was_not_seen_for_long_is_no_hold(rng):
+    values = holds(rng, slice(60, 210)).values  # between two holds of one posture anything may have happened
+    twice = FeatureSequence(
+        np.concatenate((values, np.full((60, 9), np.nan))), ("a", "b", "c"), 30.0, ("place",), 3
+    )
+    (pattern,) = find_patterns(twice, stillness=True).patterns
+    assert [(start, stop) for start, stop, _, _ in pattern.occurrences] == [(0, 60), (210, 270)]
+
+
 def test_a_movement_made_once_is_no_pattern():
     once = np.cumsum(np.full((90, 9), 0.01), axis=0)
     found = find_patterns(FeatureSequence(once, ("a", "b", "c"), 30.0, ("place",), 3))

@@ -22,7 +22,7 @@ from leitmotion.discovery.cuts import CUTS
 from leitmotion.discovery.pattern import Patterns
 from leitmotion.discovery.refine import Refiner
 from leitmotion.discovery.search import Criteria, search
-from leitmotion.discovery.stripes import Likeness, likeness
+from leitmotion.discovery.stripes import REACH_S, Likeness, likeness
 from leitmotion.discovery.tracing import trace_stripes
 from leitmotion.discovery.writing import Found, Scribe, length_in_words
 from leitmotion.features.catalogue import FEATURES
@@ -66,7 +66,7 @@ def find_recurrences(
     min_contrast : float
         How much nearer than its surroundings a return must be, 0 to 1.
     stillness : bool
-        Whether a posture that is held again counts as a pattern.
+        Whether a posture that is held again counts as a pattern. Less than a second that was not seen ends no hold.
     cuts : {"stripes", "members", "autocorrelation"}
         What cuts a run into cycles: the stripe of one period; the same, moved to where the members of the family start
         and end; or paper P, eq. 5.
@@ -178,19 +178,31 @@ def _held_postures(
     distances: Distances, alike: Likeness, max_distance: float, shortest: int
 ) -> list[list[tuple[float, float]]]:
     """Stretches in which the body keeps still, grouped by posture; groups of two or more."""
-    edges = np.flatnonzero(np.diff(np.concatenate(([0], alike.still.astype(np.int8), [0])))).reshape(-1, 2)
-    spans = [(int(a), int(b)) for a, b in edges if b - a >= shortest]
-    groups: list[list[tuple[float, float]]] = []
-    for span in spans:
-        middle = (span[0] + span[1]) // 2
-        for group in groups:
-            other = int(group[0][0] + group[0][1]) // 2
-            if distances.along(np.array([(middle, other)]))[0] < max_distance:
+    seen = np.isfinite(distances.features.values).any(axis=1)
+    # moments within reach are compared across a gap, so that a shorter one ends no stillness
+    hidden = [gap for gap in _true_runs(~seen) if gap[1] - gap[0] >= REACH_S * distances.features.rate]
+    still = alike.still.copy()
+    for start, stop in hidden:
+        still[start:stop] = False
+    groups: list[tuple[int, list[tuple[float, float]]]] = []
+    for start, stop in _true_runs(still):
+        moments = start + np.flatnonzero(seen[start:stop])
+        if not len(moments) or moments[-1] + 1 - moments[0] < shortest:
+            continue
+        span, middle = (int(moments[0]), int(moments[-1]) + 1), int(moments[len(moments) // 2])
+        for posture, group in groups:
+            if distances.along(np.array([(middle, posture)]))[0] < max_distance:
                 group.append(span)
                 break
         else:
-            groups.append([span])
-    return [group for group in groups if len(group) >= 2]
+            groups.append((middle, [span]))
+    return [group for _, group in groups if len(group) >= 2]
+
+
+def _true_runs(flags: np.ndarray) -> list[tuple[int, int]]:
+    """Where a flag is up without a break."""
+    edges = np.flatnonzero(np.diff(np.concatenate(([0], flags.astype(np.int8), [0])))).reshape(-1, 2)
+    return [(int(start), int(stop)) for start, stop in edges]
 
 
 def _nearest_miss(
