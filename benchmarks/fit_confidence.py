@@ -1,88 +1,129 @@
-"""Fit the weights of a pattern's confidence: ``python benchmarks/fit_confidence.py``.
+"""Fit the weights of a pattern's confidence: ``python benchmarks/fit_confidence.py`` prints all that is to be pasted.
 
-Prints what stands in ``leitmotion/discovery/confidence.py``, fitted by logistic regression on the recordings that a
-method may be fitted on: the annotated ones and joined ones of three actors, each recording left out in turn to tell
-how well it holds.
+Logistic regression on the recordings that a method may be fitted on: the annotated ones and joined ones of three
+actors. How well it holds is told of each actor by weights fitted on the others.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
+from functools import cache
+from itertools import pairwise
+from typing import NamedTuple
 
 import numpy as np
 
 import leitmotion as lm
 import truths
 from joined import joined
-from leitmotion.discovery import writing
+from leitmotion.body import embody
 from leitmotion.discovery.confidence import Evidence, predictors
+from leitmotion.discovery.pattern import Pattern, PatternPair
+from leitmotion.discovery.recurrence import USUAL, WORKING_RATE, look
+from leitmotion.discovery.writing import Scribe, Written
 from leitmotion.evaluation import PatternTruth, owners
+from leitmotion.features import posture
+from leitmotion.features.resampling import resample
+from leitmotion.similarity import Distances
 from recordings import locate
 
 ACTORS = {"hdm05-bd": 72, "bandai-1": 24, "cmu-02": 24}
 """Joined recordings of each actor; the first of them are those that stand in the tables."""
+ANNOTATED = "cmu-13"
+"""Who performs the annotated recordings."""
 RIGHT = 0.8
 """Share of its pairs that are right in a pattern that is right."""
 PENALTY = 0.02
+BINS = (0.0, 0.6, 0.7, 0.8, 0.9, 1.0)
+WEIGHTS = "CONSTANT, CONTRAST, APART, LENGTH"
+
+
+class Judged(NamedTuple):
+    """A pattern that was found, beside the truth."""
+
+    actor: str
+    share: float
+    """Of its pairs that join two stretches of one action."""
+
+    evidence: Evidence
 
 
 def main() -> None:
-    """Fit, and print weights and how well they hold."""
-    rows = [row for name, recording, truth in material() for row in patterns_of(name, recording, truth)]
-    names = np.array([name for name, _, _ in rows])
-    right = np.array([share >= RIGHT for _, share, _ in rows])
-    x = np.array([predictors(evidence) for _, _, evidence in rows])
-    held_out = np.zeros(len(rows))
-    for name in dict.fromkeys(names.tolist()):
-        held_out[names == name] = probability(x[names == name], fit(x[names != name], right[names != name]))
-    weights = fit(x, right)
-    print("CONSTANT, CONTRAST, APART, LENGTH = " + ", ".join(f"{weight:.2f}" for weight in weights))
-    print(f"{len(rows)} patterns, {right.mean():.1%} right")
-    for low, high in ((0.0, 0.6), (0.6, 0.7), (0.7, 0.8), (0.8, 0.9), (0.9, 1.0)):
+    """Fit, and print what is to be pasted and how well it holds."""
+    judged = fit_set()
+    actors = np.array([each.actor for each in judged])
+    right = np.array([each.share >= RIGHT for each in judged])
+    x = np.array([predictors(each.evidence) for each in judged])
+    weights = ", ".join(f"{weight:.2f}" for weight in fit(x, right))
+    print(f"src/leitmotion/discovery/confidence.py:\n{WEIGHTS} = {weights}\n")
+    print(f"tests/discovery/test_confidence.py:\nFITTED = ({weights})\n")
+    print(f"{len(judged)} patterns, {right.mean():.1%} right; each actor by weights fitted on the others:")
+    held_out = np.zeros(len(judged))
+    shares = np.zeros(len(judged))
+    for actor in dict.fromkeys(actors.tolist()):
+        here = actors == actor
+        held_out[here] = probability(x[here], fit(x[~here], right[~here]))
+        shares[here] = right[~here].mean()
+        print(
+            f"{actor}: {_told(held_out[here], right[here])}; the share of the others {_told(shares[here], right[here])}"
+        )
+    print(f"all: {_told(held_out, right)}; the share of the others {_told(shares, right)}")
+    for low, high in pairwise(BINS):
         here = (held_out > low) & (held_out <= high)
         if here.any():
             print(f"said {held_out[here].mean():.2f}, right {right[here].mean():.2f} of {here.sum()}")
 
 
+def _told(said: np.ndarray, right: np.ndarray) -> str:
+    """How far what is said is from what is so."""
+    brier = np.mean((said - right) ** 2)
+    log_loss = -np.mean(np.log(np.where(right, said, 1 - said)))
+    how = f"Brier {brier:.3f}, log loss {log_loss:.3f}"
+    return f"said {said.mean():.2f}, right {right.mean():.2f} of {len(right)}, {how}"
+
+
+@cache
+def fit_set() -> tuple[Judged, ...]:
+    """Judge every pattern that is found in what may be fitted on."""
+    return tuple(
+        each for actor, recording, truth in material() for each in judged_in(actor, recording, truth)
+    )
+
+
 def material() -> Iterator[tuple[str, lm.Motion, PatternTruth]]:
-    """Give what may be fitted on: name, recording, truth."""
+    """Give what may be fitted on: actor, recording, truth."""
     for name in truths.FIT:
-        yield name, lm.read(locate(name)), truths.annotated(name)
+        yield ANNOTATED, lm.read(locate(name)), truths.annotated(name)
     for actor, count in ACTORS.items():
         for k in range(count):
             made = joined(f"{actor}/{k:02d}")
-            yield made.name, made.motion, made.truth
+            yield actor, made.motion, made.truth
 
 
-def patterns_of(
-    name: str, recording: lm.Motion, truth: PatternTruth
-) -> Iterator[tuple[str, float, Evidence]]:
-    """Give each pattern found: name of the recording, share of its pairs that are right, what speaks for it."""
-    told: list[Evidence] = []
-    usual = writing.confidence
-
-    def noted(evidence: Evidence) -> float:
-        told.append(evidence)
-        return len(told)  # the pattern bears the number of its evidence instead of a confidence
-
-    writing.confidence = noted
-    try:
-        found = lm.find_patterns(recording)
-    finally:
-        writing.confidence = usual
-    shares = shares_right(truth, found)
-    for pattern in found.patterns:
+def judged_in(actor: str, recording: lm.Motion, truth: PatternTruth) -> Iterator[Judged]:
+    """Judge each pattern that is found in a recording and has pairs."""
+    found = written(recording)
+    shares = shares_right(truth, found.patterns, found.pairs)
+    for pattern, evidence in zip(found.patterns, found.evidence, strict=True):
         if pattern.id in shares:
-            yield name, shares[pattern.id], told[int(pattern.confidence) - 1]
+            yield Judged(actor, shares[pattern.id], evidence)
 
 
-def shares_right(truth: PatternTruth, found: lm.Patterns) -> dict[str, float]:
+def written(recording: lm.Motion) -> Written:
+    """Search a recording as ``find_patterns`` does by default, and keep what speaks for each pattern."""
+    features = posture(embody(recording))
+    work = resample(features, WORKING_RATE)
+    found, _ = look(features, work, USUAL)
+    return Scribe(features, Distances(work), USUAL).write(found)
+
+
+def shares_right(
+    truth: PatternTruth, patterns: Sequence[Pattern], every: Sequence[PatternPair]
+) -> dict[str, float]:
     """Tell of each pattern by its id which share of its pairs is right."""
     told: dict[str, float] = {}
-    for pattern in found.patterns:
-        pairs = np.array([(*pair.a, *pair.b) for pair in found.pairs if pair.pattern == pattern.id]).reshape(
-            -1, 4
-        )
+    for pattern in patterns:
+        pairs = np.array([(*pair.a, *pair.b) for pair in every if pair.pattern == pattern.id]).reshape(-1, 4)
         a, b = owners(truth, pairs[:, :2]), owners(truth, pairs[:, 2:])
         if len(pairs):
             told[pattern.id] = float(np.mean([x is not None and x == y for x, y in zip(a, b, strict=True)]))

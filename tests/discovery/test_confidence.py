@@ -7,6 +7,8 @@ import pytest
 
 from leitmotion.discovery.confidence import FARTHEST, Evidence, confidence
 
+FITTED = (2.19, 0.39, -1.57, 0.62)
+"""As ``python benchmarks/fit_confidence.py`` prints it."""
 MIDDLE = Evidence(contrast=0.6, apart=0.8, seconds=1.5)
 
 
@@ -33,5 +35,5 @@ def test_it_is_a_probability(contrast, apart, seconds):
 
 
 def test_it_is_the_logistic_function_of_the_fitted_weights():
-    z = 2.19 + 0.39 * 0.6 - 1.57 * 0.8 + 0.62 * np.log(1.5)
+    z = np.dot(FITTED, (1, MIDDLE.contrast, MIDDLE.apart, np.log(MIDDLE.seconds)))
     assert confidence(MIDDLE) == pytest.approx(1 / (1 + np.exp(-z)))

@@ -4,8 +4,9 @@ Conventions
 -----------
 A pattern is *right* when at least 80 % of its pairs join two stretches of one action, by the protocol of
 :mod:`leitmotion.evaluation.patterns`. The weights were fitted by logistic regression on recordings of a few people
-(``python benchmarks/fit_confidence.py`` prints them); how often it holds on others is measured by
-``benchmarks/bench_confidence.py``, for postures with equal weights in one recording. Elsewhere (other features, active
+(``python benchmarks/fit_confidence.py`` prints them, and how well they hold on each actor when fitted on the others).
+How often it holds on other people is measured by ``benchmarks/bench_confidence.py``, for postures with equal weights
+in one recording. Elsewhere (other features, active
 weights, several recordings) it is the same number, unmeasured.
 """
 
@@ -15,12 +16,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-CONSTANT, CONTRAST, APART, LENGTH = (
-    2.19,
-    0.39,
-    -1.57,
-    0.62,
-)  # of the logistic regression, in the order of Evidence
+# of the logistic regression, in the order of Evidence
+CONSTANT, CONTRAST, APART, LENGTH = 2.19, 0.39, -1.57, 0.62
 FARTHEST = 2.0  # times the distance of what is alike: farther counts as this
 
 

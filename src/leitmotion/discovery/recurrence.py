@@ -37,15 +37,18 @@ MIN_AMPLITUDE = 0.012  # body sizes: what the joints must move, on average, not 
 MIN_CONTRAST = 0.3  # a stripe must be this much nearer than its surroundings
 WIDER = 1.4  # times the distance of what is alike: so near is enough in what is left over
 CLEARER = 0.4  # where this much nearer than its surroundings
+MIN_DURATION_S = 0.5  # seconds
 SHORTEST_S = 0.1  # a stretch of three moments
 MISS_S = 600.0  # what comes nearest is looked for among stretches this far apart
+USUAL = Criteria(MAX_DISTANCE, MIN_CONTRAST, MIN_AMPLITUDE, round(MIN_DURATION_S * WORKING_RATE))
+"""What counts as a return where nothing is set."""
 
 
 def find_recurrences(
     features: FeatureSequence,
     *,
     max_distance: float = MAX_DISTANCE,
-    min_duration_s: float = 0.5,
+    min_duration_s: float = MIN_DURATION_S,
     min_amplitude: float = MIN_AMPLITUDE,
     min_contrast: float = MIN_CONTRAST,
     stillness: bool = False,

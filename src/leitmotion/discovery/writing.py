@@ -45,6 +45,9 @@ class Written(NamedTuple):
     patterns: tuple[Pattern, ...]
     pairs: tuple[PatternPair, ...]
     stripes: tuple[PatternPair, ...]
+    evidence: tuple[Evidence, ...]
+    """What the confidence of each pattern follows from."""
+
     limits: dict[str, object]
     """``pairs_left_out`` and ``stripes_left_out``, where a pattern has more than are written down."""
 
@@ -97,7 +100,8 @@ class Scribe:
         pairs: list[PatternPair] = []
         stripes: list[PatternPair] = []
         pairs_left = stripes_left = 0
-        for k, item in enumerate(sorted(found, key=lambda item: -_filled(item.pattern))):
+        found = sorted(found, key=lambda item: -_filled(item.pattern))
+        for k, item in enumerate(found):
             pattern = _named(item.pattern, letter(k))
             between = self._between_occurrences(pattern.occurrences, item.stripes)
             kept = sorted(between, key=lambda joined: joined[1] - joined[0])[:PAIRS]  # neighbours first
@@ -118,7 +122,8 @@ class Scribe:
             limits["pairs_left_out"] = pairs_left
         if stripes_left:
             limits["stripes_left_out"] = stripes_left
-        return Written(tuple(patterns), tuple(pairs), tuple(stripes), limits)
+        evidence = tuple(item.evidence for item in found)
+        return Written(tuple(patterns), tuple(pairs), tuple(stripes), evidence, limits)
 
     def _describe(
         self,
