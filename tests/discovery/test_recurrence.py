@@ -368,6 +368,27 @@ def test_what_the_second_look_finds_does_not_overlap_what_the_first_found():
             assert not ((early.starts[:, None] < late.stops) & (late.starts < early.stops[:, None])).any()
 
 
+@pytest.mark.parametrize("asked", [{}, {"max_distance": 0.1, "min_contrast": 0.6}])
+def test_what_the_second_look_counts_as_alike_is_told(asked, monkeypatch):
+    looks = []
+    usual = recurrence.search
+
+    def noted(distances, criteria, refine):
+        looks.append(criteria)
+        return usual(distances, criteria, refine)
+
+    monkeypatch.setattr(recurrence, "search", noted)
+    postures = in_turn((0, 0))[0].replace(scale=1.8)
+    told = find_patterns(postures, **asked).parameters
+    assert len(looks) == 2
+    for look, first in zip(looks, ("", "second_"), strict=True):
+        assert told[f"{first}max_distance"] == look.max_distance
+        assert told[f"{first}max_distance_own_unit"] == pytest.approx(1.8 * look.max_distance)
+        assert told[f"{first}min_contrast"] == look.min_contrast
+    assert looks[1].max_distance > looks[0].max_distance
+    assert looks[1].min_contrast >= looks[0].min_contrast
+
+
 def search_once(postures, criteria):
     """What the first look alone finds."""
     distances = Distances(postures)

@@ -28,7 +28,8 @@ class Evidence(NamedTuple):
     """How much nearer than their surroundings its stripes are on average, 0 to 1."""
 
     apart: float
-    """Mean distance of its occurrences along their warping paths, in distances of what is alike."""
+    """Mean distance of its occurrences along their warping paths, in distances of what is alike to the look that found
+    it."""
 
     seconds: float
     """Median length of an occurrence."""

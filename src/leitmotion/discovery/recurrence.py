@@ -104,6 +104,14 @@ def find_recurrences(
         "min_duration_s": min_duration_s, "min_amplitude": min_amplitude, "min_contrast": min_contrast,
         "stillness": stillness, "cuts": cuts, "features": list(features.names),
     }  # fmt: skip
+    shortest = round(min_duration_s * WORKING_RATE)
+    criteria = Criteria(max_distance, min_contrast, min_amplitude, shortest, cuts)
+    again = _second(criteria)
+    parameters |= {
+        "second_max_distance": again.max_distance,
+        "second_max_distance_own_unit": again.max_distance * features.scale,
+        "second_min_contrast": again.min_contrast,
+    }
     work = resample(features, WORKING_RATE)
     if len(work) < 2 * min_duration_s * WORKING_RATE:
         miss = (
@@ -111,8 +119,6 @@ def find_recurrences(
             f"too short for two stretches of {min_duration_s:g} s."
         )
         return Patterns((), (), features.rate, parameters, miss)
-    shortest = round(min_duration_s * WORKING_RATE)
-    criteria = Criteria(max_distance, min_contrast, min_amplitude, shortest, cuts)
     found, limits = look(features, work, criteria)
     parameters |= limits
     distances = Distances(work)
@@ -136,6 +142,10 @@ def look(
 ) -> tuple[list[Found], dict[str, object]]:
     """Look for what recurs, and once more, farther, in what is left over.
 
+    Each look judges what it found by its own distance: whether occurrences are alike, which decides what stays, and
+    how near they are, which counts for the confidence. By the distance of the first look, some of what the second
+    finds rightly would be dropped and the confidence fits less well, on the recordings that a method may be fitted on.
+
     Parameters
     ----------
     features : FeatureSequence
@@ -158,11 +168,16 @@ def look(
     found = Scribe(features, distances, criteria).describe(seen)
     left = _left_over(work, found, features.rate)
     if left is not None:
-        wider = criteria._replace(
-            max_distance=WIDER * criteria.max_distance, min_contrast=max(CLEARER, criteria.min_contrast)
-        )
+        wider = _second(criteria)
         found += Scribe(features, distances, wider).describe(search(left, wider, refine))
     return found, seen.limits
+
+
+def _second(criteria: Criteria) -> Criteria:
+    """What counts as a return in what is left over: farther is near enough, where it is clearer."""
+    return criteria._replace(
+        max_distance=WIDER * criteria.max_distance, min_contrast=max(CLEARER, criteria.min_contrast)
+    )
 
 
 def _left_over(work: FeatureSequence, found: Sequence[Found], rate: float) -> Distances | None:
