@@ -56,7 +56,8 @@ def only(features: FeatureSequence, names: tuple[str, ...]) -> FeatureSequence:
         return features
     places = [features.names.index(name) for name in names]
     values = features.values.reshape(len(features), -1, features.width)[:, places]
-    return features.replace(values=values.reshape(len(features), -1), names=names)
+    weights = tuple(features.weights[k] for k in places) if features.weights else ()
+    return features.replace(values=values.reshape(len(features), -1), names=names, weights=weights)
 
 
 def weighed(features: FeatureSequence, weights: str) -> FeatureSequence:

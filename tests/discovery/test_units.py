@@ -7,7 +7,7 @@ from leitmotion.discovery import stripes
 from leitmotion.discovery.families import is_near
 from leitmotion.discovery.tracing import trace_stripes
 from leitmotion.discovery.units import alternation, divide
-from leitmotion.features import FeatureSequence
+from leitmotion.features import FeatureSequence, weighted
 from leitmotion.features.mirror import mirrored
 from leitmotion.similarity import Distances
 
@@ -134,6 +134,12 @@ def test_a_movement_and_its_mirror_image_alternate(sides):
     assert alternates((0, 45), (45, 90))
     assert alternates((45, 90), (0, 45))
     assert not alternates((0, 45), (0, 45))
+
+
+@pytest.mark.parametrize("weights", [(2.7, 0.15, 0.15), (0.15, 2.7, 0.15)])
+def test_sides_alternate_though_one_counts_for_more(sides, weights):
+    distances = Distances(weighted(compared(*sides[:2]).features, weights))
+    assert alternation(distances, 1.5 * NEAR)((0, 45), (45, 90))
 
 
 def test_what_is_the_same_on_both_sides_does_not_alternate(sides):

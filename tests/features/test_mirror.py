@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from leitmotion.features import FeatureSequence
+from leitmotion.features import FeatureSequence, weighted
 from leitmotion.features.mirror import mirrored
 
 
@@ -52,3 +52,22 @@ def test_a_walk_in_the_mirror_is_the_walk_half_a_cycle_later():
 def test_angles_have_no_mirror_image():
     angles = FeatureSequence(np.zeros((2, 6)), ("left_elbow", "right_elbow"), 30, (), 3, unit="rad")
     assert mirrored(angles) is None
+
+
+def test_the_mirror_has_the_weights_of_the_sides_that_it_shows(rng):
+    one = postures(rng, ("left_hand", "head", "right_hand", "left_foot", "right_foot"))
+    weights = [3.0, 1.0, 0.5, 0.25, 2.0]
+    image = mirrored(weighted(one, weights))
+    meant = weighted(mirrored(one), weights)
+    np.testing.assert_allclose(image.values, meant.values, rtol=1e-12)
+    assert image.weights == meant.weights
+    again = mirrored(weighted(weighted(one, weights), weights[::-1]))
+    meant = weighted(weighted(mirrored(one), weights), weights[::-1])
+    np.testing.assert_allclose(again.values, meant.values, rtol=1e-12)
+
+
+def test_there_is_no_mirror_where_a_side_has_no_weight(rng):
+    one = postures(rng, ("left_hand", "head", "right_hand"))
+    assert mirrored(weighted(one, [0, 1, 1])) is None
+    image = mirrored(weighted(one, [0, 1, 0]))
+    np.testing.assert_allclose(image.values, weighted(mirrored(one), [0, 1, 0]).values)

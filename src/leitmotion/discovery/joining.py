@@ -98,7 +98,10 @@ def join(sequences: Sequence[FeatureSequence], names: Sequence[str]) -> Joined:
         reached += len(piece)
     first = sequences[0]
     scale, unit = _scale(sequences)
-    whole = FeatureSequence(np.concatenate(parts), common, rate, first.invariant_to, first.width, scale, unit)
+    weights = _only(first, common).weights
+    whole = FeatureSequence(
+        np.concatenate(parts), common, rate, first.invariant_to, first.width, scale, unit, weights
+    )
     rates = np.array([one.rate for one in sequences])
     return Joined(whole, np.array(begins), rates, np.array([len(one) for one in sequences]))
 
@@ -147,8 +150,10 @@ def _common(sequences: Sequence[FeatureSequence], names: Sequence[str]) -> tuple
 
 def _only(features: FeatureSequence, common: tuple[str, ...]) -> FeatureSequence:
     values = features.values.reshape(len(features), -1, features.width)
-    kept = values[:, [features.names.index(name) for name in common]]
-    return features.replace(values=kept.reshape(len(features), -1), names=common)
+    places = [features.names.index(name) for name in common]
+    weights = tuple(features.weights[k] for k in places) if features.weights else ()
+    kept = values[:, places].reshape(len(features), -1)
+    return features.replace(values=kept, names=common, weights=weights)
 
 
 def _scale(sequences: Sequence[FeatureSequence]) -> tuple[float, str]:

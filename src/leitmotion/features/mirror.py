@@ -16,19 +16,22 @@ def mirrored(features: FeatureSequence) -> FeatureSequence | None:
     Parameters
     ----------
     features : FeatureSequence
-        Postures or velocities of a body that faces +Z, groups of three values: T frames. Joints are weighted equally.
+        Postures or velocities of a body that faces +Z, groups of three values: T frames.
 
     Returns
     -------
     FeatureSequence or None
-        x negated, each role's place that of its partner; None of angles, where the names tell no sides, or where a
-        side lacks a partner.
+        x negated, each role's place that of its partner, with the role's own weight; None of angles, where the names
+        tell no sides, where a side lacks a partner, or where the partner's weight of 0 has left nothing of its place.
 
     Examples
     --------
     >>> hands = FeatureSequence([[1, 2, 3, -4, 5, 6]], ("left_hand", "right_hand"), rate=30, width=3)
     >>> mirrored(hands).values.tolist()
     [[4.0, 5.0, 6.0, -1.0, 2.0, 3.0]]
+    >>> from leitmotion.features import weighted
+    >>> mirrored(weighted(hands, [3, 1])).values.tolist()
+    [[6.0, 7.5, 9.0, -0.5, 1.0, 1.5]]
     """
     if (
         features.width != 3
@@ -40,5 +43,10 @@ def mirrored(features: FeatureSequence) -> FeatureSequence | None:
     if any(partner not in features.names for partner in partners):
         return None
     order = [features.names.index(partner) for partner in partners]
-    values = features.values.reshape(len(features), -1, 3)[:, order] * [-1.0, 1.0, 1.0]
+    own = np.array(features.weights or np.ones(len(order)))
+    partner = own[order]
+    if (own[partner == 0] > 0).any():
+        return None
+    share = np.divide(own, partner, out=np.zeros_like(own), where=partner > 0)
+    values = features.values.reshape(len(features), -1, 3)[:, order] * [-1.0, 1.0, 1.0] * share[:, None]
     return features.replace(values=np.ascontiguousarray(values.reshape(len(features), -1)))

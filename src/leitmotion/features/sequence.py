@@ -31,6 +31,9 @@ class FeatureSequence(Noun):
     unit : {"m", "px", "relative", "m/s", "px/s", "relative/s", "rad"}
         What values times `scale` are: places in the recording's own unit, velocities in that unit a second,
         rotations in radians.
+    weights : tuple of float
+        By which the values of each name were multiplied (:func:`leitmotion.features.weighted`); empty where all count
+        alike.
 
     Raises
     ------
@@ -45,12 +48,19 @@ class FeatureSequence(Noun):
     width: int = 1
     scale: float = 1.0
     unit: str = "m"
+    weights: tuple[float, ...] = ()
 
     def __post_init__(self) -> None:
         names = set_names(self, "names")
         set_array(self, "values", dtype=np.float64, shape=(None, len(names) * self.width), finite=False)
         if self.width < 1:
             raise ParameterError(f"FeatureSequence.width must be 1 or more, got {self.width}.")
+        weights = tuple(float(weight) for weight in self.weights)
+        if weights and len(weights) != len(names):
+            raise ParameterError(
+                f"FeatureSequence.weights has one for each of the {len(names)} names or none, got {len(weights)}."
+            )
+        object.__setattr__(self, "weights", weights)
         check_rate(self)
 
     def __len__(self) -> int:

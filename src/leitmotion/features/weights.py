@@ -69,8 +69,8 @@ def weighted(features: FeatureSequence, weights: np.ndarray) -> FeatureSequence:
     Returns
     -------
     FeatureSequence
-        The values of each joint times its weight. Quaternions are then no rotations any more: compare them by the mean
-        of norms. Where a joint is unseen, the mean is over the others with their weights.
+        The values of each joint times its weight, which `weights` tells. Quaternions are then no rotations any more:
+        compare them by the mean of norms. Where a joint is unseen, the mean is over the others with their weights.
 
     Raises
     ------
@@ -89,7 +89,9 @@ def weighted(features: FeatureSequence, weights: np.ndarray) -> FeatureSequence:
     if not (np.isfinite(scaled).all() and (scaled >= 0).all() and scaled.sum() > 0):
         raise ParameterError(f"Weights are 0 or more, finite and not all 0, got {scaled.tolist()}.")
     scaled = scaled * len(scaled) / scaled.sum()
-    return features.replace(values=features.values * np.repeat(scaled, features.width))
+    before = features.weights or np.ones(len(scaled))
+    values = features.values * np.repeat(scaled, features.width)
+    return features.replace(values=values, weights=tuple((before * scaled).tolist()))
 
 
 def _lively(moved: np.ndarray) -> float:
