@@ -64,6 +64,18 @@ def test_a_border_moves_by_two_moments_at_most_and_not_to_what_is_not_alike():
     assert Refiner(sequence(apart, 20.0), 30.0, 0.08).borders(given) == given
 
 
+@pytest.mark.parametrize("rate", [30.0, 120.0])
+def test_no_border_leaves_the_recording(rate):
+    whole = swing(6, round(rate))
+    last = 180 - 60 / rate  # two frames are cut off, at which a cycle would begin or end
+    for values, given in (
+        (whole[2:], [0.0, *(30.0 * np.arange(1, 6) - 60 / rate)]),
+        (whole[:-2], [*(30.0 * np.arange(1, 6)), last]),
+    ):
+        moved = Refiner(sequence(values, rate), 30.0, 0.08).borders(given)
+        assert 0 <= min(moved) <= max(moved) <= last
+
+
 def test_unseen_postures_move_no_border():
     gaps = swing(6, 120)
     gaps[230:250] = np.nan

@@ -84,6 +84,15 @@ def test_swings_are_counted_in_each_run():
     assert patterns[0].period_s == pytest.approx(1.0, abs=0.05)
 
 
+@pytest.mark.parametrize("periods", [[1.0] * 4 + [1.4] * 4, [1, 1.2, 1.4, 1.6, 1.8, 2, 2.2]])
+def test_a_run_that_begins_with_the_recording_is_told_once(periods):
+    values = np.concatenate([swings(1, period_s=period, pause_s=0).values for period in periods])
+    (pattern,) = find_patterns(
+        swings(1).replace(values=np.concatenate((values, np.tile(values[0], (60, 1)))))
+    )
+    assert (pattern.kind, pattern.cycles) == ("cyclic", len(periods))
+
+
 def test_two_cycles_are_cyclic():
     (pattern,) = find_patterns(swings(2)).patterns
     assert (pattern.kind, pattern.cycles) == ("cyclic", 2)

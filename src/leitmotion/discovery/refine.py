@@ -102,10 +102,12 @@ class Refiner:
         typical = self._typical(frames)
         moved = []
         for border, frame in zip(borders, frames, strict=True):
-            apart = self._apart(typical, frame + shifts)
+            places = frame + shifts
+            places = places[(places == frame) | ((places >= 0) & (places <= len(self.distances)))]
+            apart = self._apart(typical, places)
             best = int(np.argmin(apart))
-            stays = shifts[best] == 0 or not apart[best] < self.max_distance
-            moved.append(float(border) if stays else float((frame + shifts[best]) / self.ratio))
+            stays = best == 0 or not apart[best] < self.max_distance
+            moved.append(float(border) if stays else float(places[best] / self.ratio))
         return moved
 
     def _typical(self, frames: np.ndarray) -> int:
