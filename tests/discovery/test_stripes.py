@@ -1,9 +1,12 @@
 """Stripes: the kernels against their twins, and what a stripe must be."""
 
+from itertools import pairwise
+
 import numpy as np
 import pytest
 
-from leitmotion.discovery import _kernels, stripes, tracing
+from leitmotion.discovery import _kernels, _near_kernels, stripes, tracing
+from leitmotion.discovery.tiles import BLOCK, LANES, filled_up, side_by_side
 from leitmotion.features import FeatureSequence
 from leitmotion.similarity import Distances, self_distance
 from oracles import stripes as twin
@@ -18,6 +21,11 @@ def wave(periods, rate=30, period_s=1.0, joints=3):
 def compared(postures, rate=30.0):
     names = tuple(f"joint {k}" for k in range(postures.shape[1] // 3))
     return Distances(FeatureSequence(postures, names, rate, ("place",), 3))
+
+
+def narrow(values, width):
+    names = tuple(f"number {k}" for k in range(values.shape[1] // width))
+    return Distances(FeatureSequence(values, names, 30.0, ("place",), width))
 
 
 def trace(postures):
@@ -51,11 +59,14 @@ def aligned(wandering):
 def live_cells(live):
     """Steps of all live cells, by cell."""
     cells = {}
-    for i, (first, stop) in enumerate(zip(live.row_offsets, live.row_offsets[1:], strict=False)):
-        for k in range(first, stop):
-            for at in range(live.places[k], live.places[k + 1]):
-                if live.steps[at] != _kernels.NONE:
-                    cells[i, int(live.starts[k] + at - live.places[k])] = int(live.steps[at])
+    for i, (first, stop) in enumerate(pairwise(live.row_offsets)):
+        for place, steps in zip(
+            live.places[first:stop].tolist(), live.steps[first:stop].tolist(), strict=True
+        ):
+            for lane in range(LANES):
+                step = steps >> _kernels.BITS * lane & 2**_kernels.BITS - 1
+                if step != _kernels.NONE:
+                    cells[i, place * LANES + lane] = step
     return cells
 
 
@@ -77,25 +88,34 @@ def test_the_kernel_gives_every_path_the_gain_of_its_twin(aligned):
         assert gain == pytest.approx(S[i, j], abs=1e-3)
 
 
-def test_no_two_postures_are_nearer_than_their_blocks_say(wandering, rng):
-    distances = compared(wandering)
-    theta = np.full(len(wandering), 0.1, np.float32)
-    theta[rng.integers(0, 700, 100)] = -1
-    bounds = _kernels.block_bounds(distances.across, 3, theta, 3)
-    begins, ends, offsets, apart, places = _kernels.candidates(
-        distances.across, *bounds, 3, 3, 0, len(bounds[1]), 1000
+@pytest.mark.parametrize("width", [1, 2, 3, 4])
+def test_no_two_postures_are_nearer_than_their_blocks_say(wandering, rng, width):
+    N = 690
+    distances = narrow(wandering[:N, : 6 // width * width], width)
+    theta = np.full(N, 0.1, np.float32)
+    theta[rng.integers(0, N, 100)] = -1
+    theta[np.isnan(wandering[:N]).all(axis=1)] = -1
+    centres, radius, most = _near_kernels.block_bounds(distances.across, width, theta)
+    blocks = np.flatnonzero(most > 0)
+    assert 0 < len(blocks) < len(most)
+    tiles, wide = side_by_side(distances.across, width)
+    centres, _ = side_by_side(centres[:, blocks], width)
+    radius, most = filled_up(radius[blocks], 0), filled_up(most[blocks], -1)
+    chosen, offsets, apart, begins = _near_kernels.candidates(
+        tiles, filled_up(theta, -1), centres, radius, most, blocks, wide, 0, len(blocks), 0, N // BLOCK, N
     )
-    D = self_distance(distances.features).values
+    D = np.full((N, len(tiles) * LANES), np.nan, np.float32)
+    D[:, :N] = self_distance(distances.features).values
+    like = np.minimum.outer(theta, filled_up(theta, -1)) > D
     offered = np.zeros(D.shape, bool)
-    for c in range(len(offsets) - 1):
-        for k in range(offsets[c], offsets[c + 1]):
-            block = slice(3 * c, min(700, 3 * c + 3)), slice(begins[k], ends[k])
-            offered[block] = True
-            told = apart[places[k] : places[k + 1]].reshape(3, -1)
-            np.testing.assert_array_equal(told[: D[block].shape[0]], D[block])
-    near = np.triu(np.minimum.outer(theta, theta) > D, 1)
-    assert near.any()
-    assert not (near & ~offered).any()
+    for b, (first, stop) in enumerate(pairwise(offsets)):
+        for k in range(first, stop):
+            cells = slice(BLOCK * b, BLOCK * (b + 1)), slice(chosen[k] * LANES, (chosen[k] + 1) * LANES)
+            offered[cells] = True
+            np.testing.assert_array_equal(apart[k].reshape(BLOCK, LANES), D[cells])
+            np.testing.assert_array_equal(begins[k], like[cells].any(axis=1))
+    assert np.triu(like, 1).any()
+    assert not (np.triu(like, 1) & ~offered).any()
     assert offered.mean() < 0.5
 
 
@@ -114,7 +134,7 @@ def test_a_horizon_leaves_out_what_is_farther_apart_and_nothing_else(wandering):
 def test_where_room_is_short_the_horizon_comes_nearer_and_is_told(monkeypatch, wandering):
     distances = compared(wandering)
     alike = stripes.likeness(distances, max_distance=0.08, min_amplitude=0.012)
-    monkeypatch.setattr(tracing, "LIVE", 6000)
+    monkeypatch.setattr(tracing, "LIVE", 1200)
     traced = tracing.trace_stripes(distances, alike, max_distance=0.08, min_duration_s=0.5)
     assert 0 < traced.limits["compared_within_s"] < 700 / 30
     assert max(stripe.lag for stripe in traced.stripes) <= 30 * traced.limits["compared_within_s"] + 1

@@ -4,46 +4,46 @@
 import numpy as np
 from numba import njit
 
-from leitmotion.discovery._kernels import FLAT, NONE, START, STEEP
+from leitmotion.discovery._kernels import BITS, FLAT, NONE, START, STEEP
+from leitmotion.discovery.tiles import LANES
 from leitmotion.similarity._kernels import distances_to
 
 
 @njit(cache=True, nogil=True)
-def _segment(row_offsets, seg_start, i, j):
-    """Last segment of row i that begins at or before column j, or the one before the row's first."""
+def _tile(row_offsets, places, i, g):
+    """First tile of row i that is g or after it, or where the next row begins."""
     low, high = row_offsets[i], row_offsets[i + 1]
     while low < high:
         middle = (low + high) // 2
-        if seg_start[middle] <= j:
+        if places[middle] < g:
             low = middle + 1
         else:
             high = middle
-    return low - 1
+    return low
 
 
 @njit(cache=True, nogil=True)
-def _place(row_offsets, seg_start, seg_at, i, j):
-    """Where the step into a cell stands, or -1."""
-    k = _segment(row_offsets, seg_start, i, j)
-    if k < row_offsets[i]:
-        return -1
-    at = seg_at[k] + j - seg_start[k]
-    return at if at < seg_at[k + 1] else -1
+def _step(steps, row_offsets, places, i, j):
+    """The step into a cell."""
+    k = _tile(row_offsets, places, i, j // LANES)
+    if k == row_offsets[i + 1] or places[k] != j // LANES:
+        return NONE
+    return (steps[k] >> np.uint64(BITS * (j % LANES))) & np.uint64(2**BITS - 1)
 
 
 @njit(cache=True, nogil=True)
-def _close(steps, row_offsets, seg_start, seg_at, i, first, stop):
+def _close(steps, row_offsets, places, i, first, stop):
     """Take the steps away from columns [first, stop) of row i."""
-    k = max(_segment(row_offsets, seg_start, i, first), row_offsets[i])
-    while k < row_offsets[i + 1] and seg_start[k] < stop:
-        length = seg_at[k + 1] - seg_at[k]
-        for j in range(max(first, seg_start[k]), min(stop, seg_start[k] + length)):
-            steps[seg_at[k] + j - seg_start[k]] = NONE
+    k = _tile(row_offsets, places, i, first // LANES)
+    while k < row_offsets[i + 1] and places[k] * LANES < stop:
+        begin, end = max(0, first - places[k] * LANES), min(LANES, stop - places[k] * LANES)
+        lanes = np.uint64(2**64 - 1) >> np.uint64(BITS * (LANES - end + begin))
+        steps[k] &= ~(lanes << np.uint64(BITS * begin))
         k += 1
 
 
 @njit(cache=True, nogil=True)
-def walk_back(steps, row_offsets, seg_start, seg_at, rows, columns, width, shortest, k0, k1, path):
+def walk_back(steps, row_offsets, places, rows, columns, width, shortest, k0, k1, path):
     """Follow the steps back from ends k0 to k1 in turn and close a corridor of `width` moments around each path.
 
     A closed cell has no step any more, so that a later path stops where an earlier one ran. Returns the paths of at
@@ -57,12 +57,11 @@ def walk_back(steps, row_offsets, seg_start, seg_at, rows, columns, width, short
         i, j = rows[k], columns[k]
         n = 0
         while i >= 0 and j >= 0:
-            at = _place(row_offsets, seg_start, seg_at, i, j)
-            if at < 0 or steps[at] == NONE:
+            step = _step(steps, row_offsets, places, i, j)
+            if step == NONE:
                 break
             path[n, 0], path[n, 1] = i, j
             n += 1
-            step = steps[at]
             if step == START:
                 break
             i -= 2 if step == STEEP else 1
@@ -75,9 +74,7 @@ def walk_back(steps, row_offsets, seg_start, seg_at, rows, columns, width, short
                 near -= 1
             while far > 0 and path[far - 1, 0] <= row + width:
                 far -= 1
-            _close(
-                steps, row_offsets, seg_start, seg_at, row, path[near, 1] - width, path[far, 1] + width + 1
-            )
+            _close(steps, row_offsets, places, row, max(0, path[near, 1] - width), path[far, 1] + width + 1)
         if min(path[0, 0] - path[n - 1, 0], path[0, 1] - path[n - 1, 1]) + 1 < shortest:
             continue
         while total + n > len(points):

@@ -19,19 +19,19 @@ import numpy as np
 
 from leitmotion.discovery.labour import ahead, aside, share_work
 from leitmotion.discovery.stripes import CORRIDOR_S, GAP_S, Likeness, Stripe, measure_all
+from leitmotion.discovery.tiles import BLOCK, LANES, filled_up, side_by_side
 from leitmotion.similarity import Distances
 
-BLOCK = 3  # moments whose distances are bounded at once
-CHUNK = 192  # rows aligned in one call: a multiple of BLOCK
+FEWEST, CELLS = 64, 6_000_000  # blocks of rows aligned in one call, and cells in a short recording
 REST_S = 60.0  # how long a rest may be whose end is still the same moment as its beginning
-LIVE = 600_000_000  # cells, a byte each
+LIVE = 60_000_000  # tiles with live cells, twelve bytes each
 POINTS = 30_000_000  # of all paths together
 NEAR_S = 60.0  # paths nearer to the diagonal are followed first
 STILL_GAIN = -0.1
 
 
-Intervals = tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray, np.ndarray]
-"""Where something may be alike, by row, and how far apart it is; see the kernel ``candidates``."""
+Candidates = tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]
+"""Where something may be alike, by block of rows, and how far apart it is; see the kernel ``candidates``."""
 
 
 class Traced(NamedTuple):
@@ -44,12 +44,11 @@ class Traced(NamedTuple):
 
 
 class Live(NamedTuple):
-    """The live cells of the matrix, by row."""
+    """The live cells of the matrix, by row and tile."""
 
-    steps: np.ndarray  # (L,) uint8: how a path came into each
-    row_offsets: np.ndarray  # (N + 1,) where a row's segments begin
-    starts: np.ndarray  # (G,) first column of each segment
-    places: np.ndarray  # (G + 1,) where its steps begin
+    steps: np.ndarray  # (L,) uint64: how a path came into each cell of a tile
+    places: np.ndarray  # (L,) int32: which tile of the row that is
+    row_offsets: np.ndarray  # (N + 1,) where a row's tiles begin
     rows: np.ndarray  # (E,) ends of paths
     columns: np.ndarray
     gains: np.ndarray
@@ -111,52 +110,61 @@ def _align(
     distances: Distances, alike: Likeness, max_distance: float, shortest: int, horizon: int
 ) -> tuple[Live | None, int]:
     """Align row by row; None where the live cells do not fit, and how many rows were done."""
-    from leitmotion.discovery import _kernels
+    from leitmotion.discovery import _kernels, _near_kernels
 
-    a, width, N = distances.across, distances.width, len(distances)
+    a, N = distances.across, len(distances)
     rate = distances.features.rate
     theta = np.where(alike.still, np.float32(-1), alike.threshold)
-    centres, radius, most = _kernels.block_bounds(a, width, theta, BLOCK)
-    first = np.empty(N, np.int32)
+    centres, radius, most = _near_kernels.block_bounds(a, distances.width, theta)
+    blocks = np.flatnonzero(most > 0).astype(np.int32)
+    tiles, width = side_by_side(a, distances.width)
+    centres, _ = side_by_side(centres[:, blocks], distances.width)
+    most, radius = (filled_up(values[blocks], nothing) for values, nothing in ((most, -1), (radius, 0)))
+    thetas = filled_up(theta, -1)
+    thresholds, stills = filled_up(alike.threshold, 1), filled_up(alike.still.astype(np.float32), 1)
     reach = round(REST_S * rate)
+    first = np.empty(N, np.int32)
 
     def look_ahead(rows: slice) -> None:
-        _kernels.first_apart(a, width, alike.threshold, reach, rows.start, rows.stop, first)
+        _near_kernels.first_apart(a, distances.width, alike.threshold, reach, rows.start, rows.stop, first)
 
     share_work(look_ahead, N, 4096)
-    blocks = len(radius)
-    per_chunk = CHUNK // BLOCK
+    chunk = BLOCK * max(FEWEST, CELLS // (BLOCK * N))
 
-    def candidates(c0: int) -> Intervals:
-        c1, reach = min(blocks, c0 + per_chunk), horizon // BLOCK + 2
-        found: Intervals = _kernels.candidates(a, centres, radius, most, width, BLOCK, c0, c1, reach)
+    def candidates(rows: tuple[int, int]) -> Candidates:
+        b0, b1 = rows[0] // BLOCK, -(-min(rows[1], N) // BLOCK)
+        c0, c1 = np.searchsorted(blocks, (b0, b1)).tolist()
+        found: Candidates = _near_kernels.candidates(
+            tiles, thetas, centres, radius, most, blocks, width, c0, c1, b0, b1, horizon // BLOCK + 2
+        )
         return found
 
+    shape = (3, (len(tiles) + 2) * LANES)
     state = (
-        np.zeros((3, N + 3), np.float32), np.zeros((3, N + 3), np.float32), np.zeros((3, N), np.bool_),
-        np.zeros((3, N), np.int32), np.zeros((3, N), np.int32), np.zeros(3, np.int64),
+        np.zeros(shape, np.float32), np.zeros(shape, np.float32), np.zeros(shape, np.float32),
+        np.zeros((3, len(tiles) + 1), np.int32), np.zeros(3, np.int64),
     )  # fmt: skip
-    steps = np.empty(min(LIVE, N * min(N, horizon)), np.uint8)  # memory is taken as it is written to
-    used, segments = 0, 0
+    most_tiles = min(LIVE, N * (min(N, horizon) // LANES + 2))
+    steps, places = (
+        np.empty(most_tiles, np.uint64),
+        np.empty(most_tiles, np.int32),
+    )  # taken as they are written to
+    used = 0
     offsets, found = [np.zeros(1, np.int64)], []
-    for c0, intervals in zip(
-        range(0, blocks, per_chunk), ahead(candidates, range(0, blocks, per_chunk)), strict=True
-    ):
-        i0 = c0 * BLOCK
-        i1 = i0 + CHUNK if i0 + CHUNK < N else N + 3
-        used, row_offsets, *rest = aside(
-            _kernels.align_rows, a, width, alike.threshold, alike.still, first,
+    starts = range(0, N, chunk)
+    pieces = [(start, start + chunk if start + chunk < N else N + 3) for start in starts]
+    for (i0, i1), near in zip(pieces, ahead(candidates, pieces), strict=True):
+        used, row_offsets, *ends = aside(
+            _kernels.align_rows, tiles, width, thresholds, stills, first,
             np.float32(0.5 * max_distance), np.float32(STILL_GAIN), np.float32(GAP_S * rate),
-            np.float32(0.2 * shortest), horizon, i0, i1, BLOCK, *intervals, *state, steps, used,
+            np.float32(0.2 * shortest), horizon, i0, i1, *near, *state, steps, places, used,
         )  # fmt: skip
         if used < 0:
             return None, -1 - used
-        offsets.append(row_offsets[1 : min(N, i1) - i0 + 1] + segments)
-        segments += len(rest[0])
-        found.append(rest)
-    starts, places, rows, columns, gains = (np.concatenate(parts) for parts in zip(*found, strict=True))
-    live = Live(steps, np.concatenate(offsets), starts, np.append(places, used), rows, columns, gains)
-    return live, N
+        offsets.append(row_offsets[1 : min(N, i1) - i0 + 1])
+        found.append(ends)
+    rows, columns, gains = (np.concatenate(parts) for parts in zip(*found, strict=True))
+    return Live(steps, places, np.concatenate(offsets), rows, columns, gains), N
 
 
 def _nearer(horizon: int, reached: int, moments: int) -> int:
@@ -184,7 +192,7 @@ def _follow(live: Live, rate: float, shortest: int) -> tuple[np.ndarray, np.ndar
     while k < len(rows) and total < POINTS:
         more = min(len(rows), k + 4096)
         piece, counts = aside(
-            walk_back, live.steps, live.row_offsets, live.starts, live.places, rows, columns,
+            walk_back, live.steps, live.row_offsets, live.places, rows, columns,
             corridor, shortest, k, more, path,
         )  # fmt: skip
         points.append(piece)
