@@ -5,10 +5,11 @@ import pytest
 
 from leitmotion.discovery import returns
 from leitmotion.discovery.families import overlap
-from leitmotion.discovery.returns import returns_of
+from leitmotion.discovery.returns import _Left, returns_of
 from leitmotion.discovery.stripes import Stripe, likeness
 from leitmotion.features import FeatureSequence
 from leitmotion.similarity import Distances
+from oracles import returns as twin
 
 SHORTEST = 15
 
@@ -110,3 +111,25 @@ def test_the_grouping_ends_where_a_round_takes_nothing(grouped, monkeypatch):
 
     monkeypatch.setattr(returns, "_take", nothing)
     assert len(grouped([stripe(0, 100, 60), stripe(0, 200, 60)])) == 1
+
+
+def crooked(rng):
+    """A stripe of steps (1, 1), (2, 1) and (1, 2)."""
+    steps = np.array([(1, 1), (2, 1), (1, 2)])[rng.integers(0, 3, rng.integers(10, 60))]
+    path = np.cumsum(np.concatenate(([rng.integers(0, 200, 2) + (0, 120)], steps)), axis=0)
+    return Stripe(path, rng.uniform(0.1, 0.6), 1.0, float(rng.integers(10, 60)))
+
+
+def test_stretches_are_carried_as_the_twin_carries_them(rng):
+    left = _Left([crooked(rng) for _ in range(60)], SHORTEST, lambda a, b: False)
+    come = 0
+    for k, side in np.ndindex(60, 2):
+        first, last = left.spans[k, side].tolist()
+        spans, shown, covered, explained = twin.come_back(left.stripes, first, last, 0.7)
+        found = left._occurrences(first, last)
+        assert found.spans == sorted(spans)
+        assert found.stripes == [left.stripes[n] for n in shown]
+        assert found.covered.tolist() == [list(part) for part in covered]
+        assert left.scores[k, side] == found.explained == pytest.approx(explained)
+        come = max(come, len(shown))
+    assert come > 3

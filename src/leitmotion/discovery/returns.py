@@ -42,6 +42,9 @@ class Return:
     covered: np.ndarray
     """(K, 2): from where to where in the first stretch each stripe shows it."""
 
+    explained: float
+    """Time that it explains, weighted by how clear its stripes are."""
+
 
 def returns_of(
     themes: Sequence[Theme],
@@ -125,8 +128,12 @@ class _Left:
         self.shortest = shortest
         self.alternates = alternates
         self.stripes = np.array([None, *stripes], dtype=object)[1:]
-        self.spans = _spans(stripes)
+        self.spans = np.array([(s.a, s.b) for s in stripes], np.int64).reshape(-1, 2, 2)
         self.scores = np.full((len(stripes), 2), np.nan)
+        self.contrasts = np.array([s.contrast for s in stripes])
+        self.points = np.concatenate([np.zeros((0, 2), np.int32), *(s.path for s in stripes)], dtype=np.int32)
+        self.lengths = np.array([len(s.path) for s in stripes], np.int64)
+        self.places = np.cumsum(self.lengths) - self.lengths
         self._sort()
 
     def best(self) -> Return:
@@ -151,7 +158,7 @@ class _Left:
         found = None
         for start, stop in ((a, b) for end in ends.tolist() for a, b in ((first, end), (end, last))):
             part = self._occurrences(start, stop)
-            if found is not None and _explained(part) <= _explained(found[2]):
+            if found is not None and part.explained <= found[2].explained:
                 continue
             rest = (stop, last) if start == first else (first, start)
             if any(_is_new(span, whole.spans) for span in part.spans) and not self.alternates(
@@ -190,51 +197,47 @@ class _Left:
         reached = np.concatenate(([0], np.cumsum(dirty)))
         self.scores[reached[self.spans[..., 1]] > reached[self.spans[..., 0]]] = np.nan
         keep = np.ones(len(self.stripes), bool)
-        for k, rest in zip(which, rests, strict=True):
+        for k, rest in zip(which.tolist(), rests, strict=True):
             if rest is None:
                 keep[k] = False
-            else:
-                self.stripes[k] = rest
-                self.spans[k] = rest.a, rest.b
-                self.scores[k] = np.nan
-        self.stripes, self.spans, self.scores = self.stripes[keep], self.spans[keep], self.scores[keep]
+                continue
+            before = self.points[self.places[k] : self.places[k] + self.lengths[k], 0]
+            self.places[k] += np.searchsorted(before, rest.a[0])  # a rest is a part of the path
+            self.lengths[k] = len(rest.path)
+            self.stripes[k], self.contrasts[k] = rest, rest.contrast
+            self.spans[k] = rest.a, rest.b
+            self.scores[k] = np.nan
+        self._keep(keep)
         self._sort()
         return True
 
+    def _keep(self, which: np.ndarray) -> None:
+        for what in ("stripes", "spans", "scores", "contrasts", "lengths", "places"):
+            setattr(self, what, getattr(self, what)[which])
+
     def _sort(self) -> None:
-        order = np.argsort([-stripe.gain for stripe in self.stripes], kind="stable")
-        self.stripes, self.spans, self.scores = self.stripes[order], self.spans[order], self.scores[order]
-        for stripe, side in np.argwhere(np.isnan(self.scores)):
-            self.scores[stripe, side] = _explained(self._occurrences(*self.spans[stripe, side].tolist()))
+        from leitmotion.discovery._return_kernels import judge
+
+        self._keep(np.argsort([-stripe.gain for stripe in self.stripes], kind="stable"))
+        judge(*self._paths(), HOLDS, *self._room(), self.scores)
+
+    def _paths(self) -> tuple[np.ndarray, ...]:
+        return self.points, self.places, self.lengths, self.spans, self.contrasts
+
+    def _room(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """For what comes back: every side of every stripe may."""
+        sides = 2 * len(self.stripes)
+        return np.empty((sides + 1, 2)), np.empty(sides, np.int64), np.empty((sides, 2), np.int64)
 
     def _occurrences(self, first: int, last: int) -> Return:
         """Everywhere that the movement of one stretch comes back, along the stripes that hold most of it."""
-        spans: list[tuple[float, float]] = [(first, last)]
-        shown, covered = [], []
-        starts, stops = np.maximum(self.spans[..., 0], first), np.minimum(self.spans[..., 1], last)
-        for k, here in np.argwhere(stops - starts >= HOLDS * (last - first)).tolist():
-            other = self.stripes[k]
-            carry = (other.forward, other.backward)[here]
-            span = (carry(int(starts[k, here])), carry(int(stops[k, here]) - 1) + 1)
-            if all(overlap(span, known) == 0 for known in spans):
-                spans.append(span)
-                shown.append(other)
-                covered.append((starts[k, here], stops[k, here]))
-        return Return(sorted(spans), shown, np.array(covered).reshape(-1, 2))
+        from leitmotion.discovery._return_kernels import come_back
 
-
-def _spans(stripes: Sequence[Stripe]) -> np.ndarray:
-    """Both stretches of each stripe, (S, 2, 2)."""
-    return np.array([(stripe.a, stripe.b) for stripe in stripes], np.int64).reshape(-1, 2, 2)
+        spans, shown, covered = self._room()
+        count, explained = come_back(*self._paths(), first, last, HOLDS, spans, shown, covered)
+        occurrences = sorted((start, stop) for start, stop in spans[: count + 1].tolist())
+        return Return(occurrences, list(self.stripes[shown[:count]]), covered[:count], explained)
 
 
 def _is_new(span: tuple[float, float], known: Sequence[tuple[float, float]]) -> bool:
     return all(overlap(span, other) < 0.5 * (span[1] - span[0]) for other in known)
-
-
-def _explained(found: Return) -> float:
-    """Time that a return explains, weighted by how clear its stripes are."""
-    if len(found.spans) < 2:
-        return 0.0
-    clear = float(np.mean([stripe.contrast for stripe in found.stripes]))
-    return clear * sum(stop - start for start, stop in found.spans)
