@@ -14,6 +14,7 @@ from leitmotion.features.sequence import FeatureSequence
 from leitmotion.similarity import Distances, align, cross_distance, warping_cost
 
 HELD = 600 * 600  # distances held at once: those of two stretches of 20 s
+AGREED = 1.5  # times the distance of postures that are alike: two whole stretches, ends and all, are alike
 LOOKED_AT = 20_000 * 20_000  # distances computed: those of two stretches of eleven minutes, seconds of work
 
 

@@ -19,9 +19,11 @@ from typing import Any
 import numpy as np
 
 from leitmotion.discovery.cuts import CUTS
+from leitmotion.discovery.moves import moves_of
 from leitmotion.discovery.pattern import Patterns
+from leitmotion.discovery.pauses import true_runs
 from leitmotion.discovery.refine import Refiner
-from leitmotion.discovery.search import Criteria, search
+from leitmotion.discovery.search import Criteria, Seen, search
 from leitmotion.discovery.stripes import REACH_S, Likeness, likeness
 from leitmotion.discovery.tracing import trace_stripes
 from leitmotion.discovery.writing import Found, Scribe, length_in_words
@@ -35,7 +37,7 @@ WORKING_RATE = 30.0  # hertz
 MAX_DISTANCE = FEATURES["posture"].alike["equal"]  # body sizes: equal error rate of postures labelled by eye
 MIN_AMPLITUDE = 0.012  # body sizes: what the joints must move, on average, not to be still
 MIN_CONTRAST = 0.3  # a stripe must be this much nearer than its surroundings
-WIDER = 1.4  # times the distance of what is alike: so near is enough in what is left over
+WIDER = 1.5  # times the distance of what is alike: so near is enough in what is left over
 CLEARER = 0.4  # where this much nearer than its surroundings
 MIN_DURATION_S = 0.5  # seconds
 SHORTEST_S = 0.1  # a stretch of three moments
@@ -169,7 +171,11 @@ def look(
     left = _left_over(work, found, features.rate)
     if left is not None:
         wider = _second(criteria)
-        found += Scribe(features, distances, wider).describe(search(left, wider, refine))
+        scribe = Scribe(features, distances, wider)
+        found += scribe.describe(search(left, wider, refine))
+        left = _left_over(work, found, features.rate)
+        if left is not None:
+            found += scribe.describe(Seen([], moves_of(left, scribe.alike, wider), {}))
     return found, seen.limits
 
 
@@ -198,12 +204,12 @@ def _held_postures(
     """Stretches in which the body keeps still, grouped by posture; groups of two or more."""
     seen = np.isfinite(distances.features.values).any(axis=1)
     # moments within reach are compared across a gap, so that a shorter one ends no stillness
-    hidden = [gap for gap in _true_runs(~seen) if gap[1] - gap[0] >= REACH_S * distances.features.rate]
+    hidden = [gap for gap in true_runs(~seen) if gap[1] - gap[0] >= REACH_S * distances.features.rate]
     still = alike.still.copy()
     for start, stop in hidden:
         still[start:stop] = False
     groups: list[tuple[int, list[tuple[float, float]]]] = []
-    for start, stop in _true_runs(still):
+    for start, stop in true_runs(still):
         moments = start + np.flatnonzero(seen[start:stop])
         if not len(moments) or moments[-1] + 1 - moments[0] < shortest:
             continue
@@ -215,12 +221,6 @@ def _held_postures(
         else:
             groups.append((middle, [span]))
     return [group for _, group in groups if len(group) >= 2]
-
-
-def _true_runs(flags: np.ndarray) -> list[tuple[int, int]]:
-    """Where a flag is up without a break."""
-    edges = np.flatnonzero(np.diff(np.concatenate(([0], flags.astype(np.int8), [0])))).reshape(-1, 2)
-    return [(int(start), int(stop)) for start, stop in edges]
 
 
 def _nearest_miss(

@@ -13,8 +13,11 @@ from typing import NamedTuple
 import numpy as np
 
 from leitmotion.discovery.cuts import cutter
+from leitmotion.discovery.ends import without_transitions
 from leitmotion.discovery.families import Run, cyclic_runs, is_near, overlap
 from leitmotion.discovery.kinds import part_themes
+from leitmotion.discovery.lone import with_lone_occurrences
+from leitmotion.discovery.pauses import from_rest_to_rest
 from leitmotion.discovery.refine import Refiner
 from leitmotion.discovery.returns import Return, returns_of
 from leitmotion.discovery.stripes import Likeness, Stripe, likeness, measure
@@ -101,6 +104,15 @@ def search(distances: Distances, criteria: Criteria, refine: Refiner) -> Seen:
         alternates,
         shortest=criteria.shortest,
         min_contrast=criteria.min_contrast,
+    )
+    for item in returns:
+        item.spans = from_rest_to_rest(item.spans, alike.speed, rate, criteria.shortest)
+    themes = without_transitions(themes, distances, alike.speed, criteria.max_distance)
+    known = np.isnan(distances.features.values).all(axis=1)
+    for theme in themes:
+        known |= theme.holds(len(distances))
+    returns = with_lone_occurrences(
+        returns, known, distances, max_distance=criteria.max_distance, min_contrast=criteria.min_contrast
     )
     for item in returns:
         item.spans = refine.spans(item.spans)

@@ -18,12 +18,11 @@ import numpy as np
 
 from leitmotion.discovery.families import is_near
 from leitmotion.discovery.overlay import overlay_of, overlay_of_stretches
+from leitmotion.discovery.pauses import pauses
 from leitmotion.discovery.stripes import Likeness, Stripe, measure
 from leitmotion.features.mirror import mirrored
 from leitmotion.similarity import Distances
 
-PAUSE = 0.8  # of the speed before and after: slower is a pause
-AROUND_S = 0.5  # how far before and after
 SETTLE_S = 0.2  # how near to an end of a movement its posture is looked for
 BACK = 0.35  # of how far a movement leads away: it is back when it is this near again
 UNLIKE = 0.7  # of the distance of two movements: a mirror image this much nearer is of the other side
@@ -148,11 +147,11 @@ def _closures(
     if last < 2 * shortest:
         return []
     rate = distances.features.rate
-    pauses = _pauses(alike.speed[path].mean(axis=1), rate)
+    stops = pauses(alike.speed[path].mean(axis=1), rate)
     settle = max(1, round(SETTLE_S * rate))
     cuts = []
     at = 0
-    for p in pauses:
+    for p in stops:
         if (
             p - at >= shortest
             and last - p >= shortest
@@ -161,7 +160,7 @@ def _closures(
             cuts.append(p)
             at = p
     end, reached = last, cuts[-1] if cuts else 0
-    for p in reversed(pauses):
+    for p in reversed(stops):
         if p - reached < shortest:
             break
         if end - p >= shortest and _closes(path, p, end, distances, max_distance, settle):
@@ -183,16 +182,3 @@ def _closes(
         ):
             return False
     return True
-
-
-def _pauses(speed: np.ndarray, rate: float) -> list[int]:
-    from scipy.ndimage import minimum_filter1d
-
-    around = max(1, round(AROUND_S * rate))
-    lowest = minimum_filter1d(speed, 2 * max(1, around // 2) + 1)
-    found: list[int] = []
-    for p in np.flatnonzero(speed <= lowest).tolist():
-        before, after = speed[max(0, p - around) : p + 1].max(), speed[p : p + around + 1].max()
-        if speed[p] < PAUSE * min(before, after) and not (found and p - found[-1] < around // 2):
-            found.append(p)
-    return found

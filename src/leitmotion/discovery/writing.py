@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from itertools import pairwise
+from collections.abc import Iterator, Sequence
+from itertools import islice, pairwise
 from typing import NamedTuple
 
 import numpy as np
 
 from leitmotion.discovery.confidence import Evidence, confidence
 from leitmotion.discovery.families import TOUCH
-from leitmotion.discovery.overlay import overlay_of_stretches
+from leitmotion.discovery.overlay import AGREED, overlay_of_stretches
 from leitmotion.discovery.pattern import Pattern, PatternPair, cut_at_occurrences, letter
 from leitmotion.discovery.returns import Return
 from leitmotion.discovery.search import Criteria, Seen
@@ -18,12 +18,14 @@ from leitmotion.discovery.stripes import Stripe, likeness, measure, part
 from leitmotion.discovery.themes import Theme
 from leitmotion.features.sequence import FeatureSequence
 from leitmotion.motion.segmentation import Segmentation
-from leitmotion.similarity import Distances
+from leitmotion.similarity import Distances, align
 
 COMPARED = 60  # pairs of occurrences that are aligned to judge a pattern
-AGREED = 1.25  # times the distance of what is alike: two whole occurrences, ends and all, are alike
 MIN_AGREEMENT = 0.5  # of the pairs of occurrences must be alike
 PAIRS = 10_000  # of one pattern that are written down, those of occurrences that follow soonest first
+ALIGNED = (
+    1_000  # pairs of one pattern that no stripe shows and that are aligned, those that follow soonest first
+)
 STRIPES = 2_000  # of one pattern that are written down, those that gain most first
 
 
@@ -78,14 +80,14 @@ class Scribe:
             (a, b) for run in theme.runs for a, b in zip(run.borders[:-1], run.borders[1:], strict=True)
         ]
         extents = [(run.start, run.stop) for run in theme.runs]
-        shown = self._within(theme)
+        shown = self._within(theme.stripes, extents)
         return self._describe("cyclic", cycles, extents, shown)
 
     def acyclic(self, found: Return) -> Found:
         """A return: one occurrence a stretch; cyclic where some follow one another without a break."""
         extents = joined_spans(found.spans)
         kind = "acyclic" if len(extents) == len(found.spans) else "cyclic"
-        return self._describe(kind, found.spans, extents, found.stripes)
+        return self._describe(kind, found.spans, extents, self._within(found.stripes, extents))
 
     def held(self, spans: list[tuple[float, float]]) -> Found:
         """A posture that is held at several times."""
@@ -166,6 +168,15 @@ class Scribe:
             for joined, piece in cut_at_occurrences(frames, occurrences).items():
                 if piece.stop - piece.start > len(pieces.get(joined, ())):
                     pieces[joined] = stripe.path[piece]
+        spans = list(zip(occurrences.starts / self.ratio, occurrences.stops / self.ratio, strict=True))
+        missing = (pair for pair in _neighbours_first(len(spans)) if pair not in pieces)
+        for i, j in islice(missing, ALIGNED):
+            rows, columns = (range(int(np.ceil(spans[k][0])), int(np.ceil(spans[k][1]))) for k in (i, j))
+            apart = self.distances.between(rows, columns)
+            if apart.size and np.isfinite(apart).all():
+                aligned = align(apart)
+                if aligned.cost < AGREED * self.max_distance:
+                    pieces[i, j] = np.add(aligned.path, (rows.start, columns.start))
         return pieces
 
     def _traced(self, name: str, paths: Sequence[np.ndarray], stops: np.ndarray) -> list[PatternPair]:
@@ -193,10 +204,12 @@ class Scribe:
             costs.append(overlay_of_stretches(self.distances, rows, columns, self.max_distance))
         return np.array(costs), pairs
 
-    def _within(self, theme: Theme) -> list[Stripe]:
-        """The parts of a theme's stripes that lie in its stretches."""
-        inside = theme.holds(len(self.distances))
-        paths = [part(s, inside[s.path[:, 0]] & inside[s.path[:, 1]]) for s in theme.stripes]
+    def _within(self, stripes: Sequence[Stripe], spans: Sequence[tuple[float, float]]) -> list[Stripe]:
+        """The parts of stripes that lie in some stretches."""
+        inside = np.zeros(len(self.distances), bool)
+        for start, stop in spans:
+            inside[max(0, int(np.ceil(start))) : int(np.ceil(stop))] = True
+        paths = [part(s, inside[s.path[:, 0]] & inside[s.path[:, 1]]) for s in stripes]
         return [piece for piece in measure(paths, self.distances, self.alike) if piece is not None]
 
     def _segmentation(self, spans: Sequence[tuple[float, float]], scores: np.ndarray) -> Segmentation:
@@ -274,6 +287,11 @@ def _compared(count: int) -> np.ndarray:
     apart = np.searchsorted(before, order, side="right")
     first = order - before[apart - 1]
     return np.stack((first, first + apart), axis=1)
+
+
+def _neighbours_first(count: int) -> Iterator[tuple[int, int]]:
+    """All pairs of so many occurrences, those that follow soonest first."""
+    return ((i, i + apart) for apart in range(1, count) for i in range(count - apart))
 
 
 def _named(pattern: Pattern, name: str) -> Pattern:

@@ -1,0 +1,121 @@
+"""Lone occurrences: where a movement that is known to come back comes once more, though no stripe shows it.
+
+Conventions
+-----------
+Moments of the working rate, distances in body sizes. A stripe must be alike from moment to moment; a movement as a
+whole is known by its whole course, so that one that is performed otherwise half-way is found, too.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from typing import NamedTuple
+
+import numpy as np
+
+from leitmotion.discovery.labour import share_work
+from leitmotion.discovery.overlay import AGREED, overlay_of_stretches
+from leitmotion.discovery.pauses import true_runs
+from leitmotion.discovery.returns import Return
+from leitmotion.similarity import Distances
+
+SHORTER = 0.5  # of the typical occurrence: none is shorter
+COMPARED = 8  # occurrences among which the typical one is looked for
+
+
+class _Course(NamedTuple):
+    """A stretch through which a movement runs."""
+
+    apart: float
+    which: int
+    start: int
+    stop: int
+
+
+def with_lone_occurrences(
+    returns: Sequence[Return],
+    taken: np.ndarray,
+    distances: Distances,
+    *,
+    max_distance: float,
+    min_contrast: float,
+) -> list[Return]:
+    """Look for each movement's typical occurrence, as a whole, in what nothing explains.
+
+    Parameters
+    ----------
+    returns : sequence of Return
+        Movements that come back, in moments.
+    taken : (N,) bool
+        What is explained by something else, or was not seen.
+    distances : Distances
+        Posture distances of N moments.
+    max_distance : float
+        Body sizes: distance of postures that are alike.
+    min_contrast : float
+        How much nearer than its surroundings an occurrence is, 0 to 1.
+
+    Returns
+    -------
+    list of Return
+        As many, with all occurrences that were found, the nearest first where two would share a moment.
+    """
+    taken = taken.copy()
+    for item in returns:
+        for start, stop in item.spans:
+            taken[max(0, int(start)) : int(np.ceil(stop))] = True
+    typical = [_typical(item.spans, distances, max_distance) for item in returns]
+    spans = [list(item.spans) for item in returns]
+    for course in _courses(typical, taken, distances, AGREED * max_distance):
+        stretch = slice(course.start, course.stop)
+        if taken[stretch].any():
+            continue
+        around = np.nanmedian(distances.between(typical[course.which], range(course.start, course.stop)))
+        if course.apart < (1 - min_contrast) * around:
+            taken[stretch] = True
+            spans[course.which].append((course.start, course.stop))
+    return [replace(item, spans=sorted(found)) for item, found in zip(returns, spans, strict=True)]
+
+
+def _courses(
+    typical: Sequence[range], taken: np.ndarray, distances: Distances, farthest: float
+) -> list[_Course]:
+    """Free stretches through which movements run, the nearest first."""
+    from leitmotion.discovery import _whole_kernels
+
+    free = true_runs(~taken)
+    found: list[list[_Course]] = [[] for _ in typical]
+
+    def look(part: slice) -> None:
+        for which in range(part.start, part.stop):
+            movement = typical[which]
+            least = max(2, int(np.ceil(SHORTER * len(movement))))
+            for start, stop in free:
+                if stop - start < least:
+                    continue
+                costs, begins = _whole_kernels.courses(
+                    distances.across, movement.start, movement.stop, start, stop, distances.width, 1.0
+                )
+                lengths = np.arange(1, stop - start + 1) - begins
+                for j in np.flatnonzero((costs < farthest) & (lengths >= least)).tolist():
+                    begin = start + int(begins[j])
+                    found[which].append(_Course(float(costs[j]), which, begin, start + j + 1))
+
+    share_work(look, len(typical), 1)
+    return sorted(course for courses in found for course in courses)
+
+
+def _typical(spans: Sequence[tuple[float, float]], distances: Distances, max_distance: float) -> range:
+    """The occurrence that is nearest to the others."""
+    last = len(distances)
+    some = np.unique(np.linspace(0, len(spans) - 1, min(len(spans), COMPARED)).round().astype(int))
+    stretches = [
+        range(max(0, int(spans[k][0])), min(last, max(int(spans[k][0]) + 2, int(np.ceil(spans[k][1])))))
+        for k in some
+    ]
+    apart = [
+        sum(overlay_of_stretches(distances, one, other, max_distance) for other in stretches)
+        for one in stretches
+    ]
+    return stretches[int(np.argmin(apart))]

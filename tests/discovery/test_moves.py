@@ -1,0 +1,66 @@
+"""Moves: whole movements from pause to pause that leave no stripe."""
+
+from itertools import pairwise
+
+import numpy as np
+import pytest
+from tests.discovery.test_lone import reach, recording
+from tests.oracles import whole as twin
+
+from leitmotion.discovery import _whole_kernels
+from leitmotion.discovery.moves import moves_of
+from leitmotion.discovery.search import Criteria
+from leitmotion.discovery.stripes import likeness
+from leitmotion.features import FeatureSequence
+from leitmotion.similarity import Distances
+
+CRITERIA = Criteria(max_distance=0.08, min_contrast=0.4, min_amplitude=0.012, shortest=15)
+
+
+def found_in(distances):
+    alike = likeness(distances, max_distance=CRITERIA.max_distance, min_amplitude=CRITERIA.min_amplitude)
+    return [item.spans for item in moves_of(distances, alike, CRITERIA)]
+
+
+def test_movements_far_apart_half_way_are_one_move():
+    distances, begins = recording(reach(0.25), reach(-0.25), np.roll(reach(0.4), 3, axis=1))
+    (spans,) = found_in(distances)
+    assert [start for start, _ in spans] == pytest.approx(begins[:2], abs=12)
+    for (start, stop), begin in zip(spans, begins, strict=False):
+        assert min(stop, begin + 45) - max(start, begin) > 0.8 * 45
+
+
+def test_movements_that_nothing_repeats_are_none():
+    distances, _ = recording(reach(), np.roll(reach(), 3, axis=1))
+    assert found_in(distances) == []
+
+
+def test_what_is_known_already_is_passed_over():
+    distances, begins = recording(reach(0.25), reach(-0.25))
+    values = distances.features.values.copy()
+    values[begins[0] : begins[0] + 45] = np.nan
+    assert found_in(Distances(distances.features.replace(values=values))) == []
+
+
+@pytest.mark.parametrize("seed", range(5))
+def test_no_two_moves_share_a_moment(seed):
+    rng = np.random.default_rng(seed)
+    parts = [reach(rng.uniform(-0.4, 0.4), rng.integers(30, 60)) for _ in range(6)]
+    distances, _ = recording(*parts, gap=int(rng.integers(5, 40)))
+    spans = sorted(span for spans in found_in(distances) for span in spans)
+    assert spans
+    assert all(before[1] <= after[0] for before, after in pairwise(spans))
+
+
+def test_near_pairs_are_those_of_the_twin(rng):
+    values = rng.normal(size=(120, 6)).cumsum(axis=0)
+    distances = Distances(FeatureSequence(values, ("a", "b"), 30.0, ("place",), 3))
+    spans = np.sort(rng.integers(0, 120, (40, 2)), axis=1)
+    spans = spans[spans[:, 1] - spans[:, 0] > 5]
+    limit, loose = 6.0, 8.0
+    pairs, costs = _whole_kernels.near_pairs(distances.across, spans, 0, len(spans), 3, limit, loose, 2.0)
+    d = distances.between(range(120), range(120)).astype(float)
+    expected = twin.near_pairs(d, spans.tolist(), limit, loose, 2.0)
+    assert expected
+    assert {tuple(pair) for pair in pairs.tolist()} == set(expected)
+    assert costs == pytest.approx([expected[tuple(pair)] for pair in pairs.tolist()])
