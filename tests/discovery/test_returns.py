@@ -116,7 +116,7 @@ def test_the_grouping_ends_where_a_round_takes_nothing(grouped, monkeypatch):
 def crooked(rng):
     """A stripe of steps (1, 1), (2, 1) and (1, 2)."""
     steps = np.array([(1, 1), (2, 1), (1, 2)])[rng.integers(0, 3, rng.integers(10, 60))]
-    path = np.array([0, 120]) + rng.integers(0, 200, 2) + np.cumsum(steps, axis=0)
+    path = np.cumsum(np.concatenate((rng.integers((0, 120), (200, 320), (1, 2)), steps)), axis=0)
     return Stripe(path, rng.uniform(0.1, 0.6), 1.0, float(rng.integers(10, 60)))
 
 

@@ -11,7 +11,7 @@ import numpy as np
 
 from leitmotion.discovery.labour import aside
 from leitmotion.features.sequence import FeatureSequence
-from leitmotion.similarity import Distances, align, cross_distance, warping_cost
+from leitmotion.similarity import Distances, cross_distance, warping_cost
 
 HELD = 600 * 600  # distances held at once: those of two stretches of 20 s
 AGREED = 1.5  # times the distance of postures that are alike: two whole stretches, ends and all, are alike
@@ -39,11 +39,10 @@ def overlay_cost(apart: np.ndarray, unseen: float) -> float:
     >>> overlay_cost(hidden, 1.0)
     0.0
     """
-    seen = ~np.isnan(apart)
-    if not seen.any():
-        return unseen
-    apart = apart[np.ix_(seen.any(axis=1), seen.any(axis=0))]
-    return float(align(np.where(np.isnan(apart), unseen, apart)).cost)
+    from leitmotion.discovery._overlay_kernels import distances_along
+
+    along = distances_along(apart, apart.dtype.type(unseen))
+    return float(along.mean()) if along.size else unseen
 
 
 def overlay_of_stretches(distances: Distances, rows: range, columns: range, unseen: float) -> float:

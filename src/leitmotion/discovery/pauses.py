@@ -39,15 +39,12 @@ def pauses(speed: np.ndarray, rate: float) -> list[int]:
     >>> pauses(np.abs(np.sin(np.linspace(0.1, 2 * np.pi - 0.1, 61))), rate=30.0)
     [30]
     """
-    from scipy.ndimage import minimum_filter1d
+    from leitmotion.discovery import _border_kernels
 
     around = max(1, round(AROUND_S * rate))
-    lowest = minimum_filter1d(speed, 2 * max(1, around // 2) + 1)
-    found: list[int] = []
-    for p in np.flatnonzero(speed <= lowest).tolist():
-        before, after = speed[max(0, p - around) : p + 1].max(), speed[p : p + around + 1].max()
-        if speed[p] < PAUSE * min(before, after) and not (found and p - found[-1] < around // 2):
-            found.append(p)
+    found: list[int] = _border_kernels.pauses(
+        speed, max(1, around // 2), around, speed.dtype.type(PAUSE)
+    ).tolist()
     return found
 
 

@@ -39,6 +39,7 @@ class Refiner:
 
     def __init__(self, features: FeatureSequence, working_rate: float, max_distance: float) -> None:
         self.ratio = features.rate / working_rate
+        self.around = np.round(np.array(AROUND) * self.ratio).astype(np.int64)
         self.distances = Distances(features)
         self.max_distance = max_distance
 
@@ -118,10 +119,8 @@ class Refiner:
 
     def _apart(self, frame: int, others: np.ndarray) -> np.ndarray:
         """Mean distance of the postures around a frame and around others; infinite where something was not seen."""
-        around = np.round(np.array(AROUND) * self.ratio).astype(np.int64)
-        pairs = np.stack(np.broadcast_arrays(frame + around, others[:, None] + around), axis=-1)
-        last = len(self.distances) - 1
-        inside = np.asarray(((pairs >= 0) & (pairs <= last)).all(axis=-1))
-        values = self.distances.along(np.clip(pairs, 0, last).reshape(-1, 2)).reshape(inside.shape)
-        mean = np.where(inside, values, 0.0).sum(axis=1) / np.maximum(inside.sum(axis=1), 1)
-        return np.where(np.isnan(mean) | ~inside.any(axis=1), np.inf, mean)
+        from leitmotion.discovery._border_kernels import around
+
+        apart = np.empty(len(others))
+        around(self.distances.across, self.distances.width, frame, others, self.around, apart)
+        return apart

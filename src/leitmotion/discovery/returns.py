@@ -221,7 +221,7 @@ class _Left:
         self._keep(np.argsort([-stripe.gain for stripe in self.stripes], kind="stable"))
         judge(*self._paths(), HOLDS, *self._room(), self.scores)
 
-    def _paths(self) -> tuple[np.ndarray, ...]:
+    def _paths(self) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
         return self.points, self.places, self.lengths, self.spans, self.contrasts
 
     def _room(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:

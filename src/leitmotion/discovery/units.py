@@ -55,8 +55,10 @@ def alternation(distances: Distances, max_distance: float) -> Alternates:
         if image is None:
             return False
         one, other = features[slice(*a)], slice(*b)
-        exchanged, straight = (overlay_of(one, whole[other], max_distance) for whole in (image, features))
-        return exchanged < max_distance and exchanged < UNLIKE * straight
+        exchanged = overlay_of(one, image[other], max_distance)
+        if exchanged >= max_distance:
+            return False
+        return exchanged < UNLIKE * overlay_of(one, features[other], max_distance)
 
     return alternates
 
@@ -173,12 +175,8 @@ def _closes(
     path: np.ndarray, start: int, stop: int, distances: Distances, max_distance: float, settle: int
 ) -> bool:
     """Whether both stretches between two places lead away from a posture and back to it."""
-    for side in path[start : stop + 1].T:
-        first, final = int(side[0]), int(side[-1])
-        apart = distances.between(range(first, first + 1), range(first, final + 1))[0]
-        farthest = np.nanmax(apart, initial=0)
-        if farthest < AWAY * max_distance or np.nanmin(apart[-1 - settle :], initial=np.inf) > max(
-            max_distance, BACK * farthest
-        ):
-            return False
-    return True
+    from leitmotion.discovery._border_kernels import closes
+
+    away, near, back = (np.float32(value) for value in (AWAY * max_distance, max_distance, BACK))
+    part = path[start : stop + 1]
+    return bool(closes(distances.across, distances.width, part, away, near, back, settle))

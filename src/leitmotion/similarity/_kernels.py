@@ -101,6 +101,13 @@ def _distance(a, i, j, width, M):
 
 
 @njit(cache=True, nogil=True)
+def between(a, row, every_row, first, stop, every, width, C):
+    """Fill C with the distances of every n-th moment from `row` on to every m-th of [first, stop)."""
+    for k in range(C.shape[0]):
+        distances_to(a, row + k * every_row, first, stop, every, width, C[k])
+
+
+@njit(cache=True, nogil=True)
 def band(a, width, C):
     """Fill C (N, W): C[i, k] is the distance of moment i to moment i + k, NaN past the end."""
     n = a.shape[1]
@@ -218,7 +225,7 @@ def _asin(s2):
     return _TWO * math.sqrt(h2) * (_ONE + h2 * series)
 
 
-@njit(cache=True)
+@njit(cache=True, nogil=True)
 def accumulate(d, w, limited, open_begin, move):
     """Dynamic time warping over the local distances d (N, M).
 
@@ -277,7 +284,7 @@ def warping_cost(a, N, width, unseen):
     return D[M - 1] / K[M - 1]
 
 
-@njit(cache=True)
+@njit(cache=True, nogil=True)
 def trace_back(move, j):
     """Follow the moves from the last row's column j to where the path started, and turn the path round."""
     i = move.shape[0] - 1

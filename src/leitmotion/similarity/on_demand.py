@@ -49,10 +49,9 @@ class Distances:
         from leitmotion.similarity import _kernels
 
         values = np.empty((len(rows), len(columns)), np.float32)
-        for k, i in enumerate(rows):
-            _kernels.distances_to(
-                self.across, i, columns.start, columns.stop, columns.step, self.width, values[k]
-            )
+        _kernels.between(
+            self.across, rows.start, rows.step, columns.start, columns.stop, columns.step, self.width, values
+        )
         return values
 
     def along(self, path: np.ndarray) -> np.ndarray:
