@@ -5,7 +5,7 @@ from itertools import pairwise
 import numpy as np
 import pytest
 
-from leitmotion.discovery import _kernels, _near_kernels, stripes, tracing
+from leitmotion.discovery import _kernels, _near_kernels, _path_kernels, stripes, tracing
 from leitmotion.discovery.tiles import BLOCK, LANES, filled_up, side_by_side
 from leitmotion.features import FeatureSequence
 from leitmotion.similarity import Distances, self_distance
@@ -212,3 +212,15 @@ def test_a_stripe_is_measured_as_its_twin_says(wandering):
         assert (stripe.cost, stripe.background, stripe.gain) == pytest.approx(
             (cost, background, gain), rel=1e-5
         )
+
+
+@pytest.mark.parametrize("size", [1, 2, 63, 64, 65, 600, 601, 4000])
+def test_the_middle_of_distances_is_their_median(rng, size):
+    for distances in (
+        rng.uniform(0.02, 0.4, size),
+        rng.integers(1, 4, size),
+        np.full(size, 0.1),
+        rng.exponential(size=size),
+    ):
+        distances = distances.astype(np.float32)
+        assert _path_kernels.median(distances) == np.median(distances)

@@ -6,7 +6,9 @@ from numba import njit
 
 from leitmotion.discovery._kernels import BITS, FLAT, NONE, START, STEEP
 from leitmotion.discovery.tiles import LANES
-from leitmotion.similarity._kernels import distances_to
+from leitmotion.similarity._kernels import _distance, distances_to
+
+BINS = 512
 
 
 @njit(cache=True, nogil=True)
@@ -87,6 +89,37 @@ def walk_back(steps, row_offsets, places, rows, columns, width, shortest, k0, k1
 
 
 @njit(cache=True, nogil=True)
+def median(values):
+    """Middle of some distances: only those that fall into its one bin of many are put in order."""
+    least, most = np.float32(np.inf), np.float32(-np.inf)
+    for k in range(values.size):
+        least, most = min(least, values[k]), max(most, values[k])
+    if values.size < BINS // 8 or most - least < np.float32(1e-30):
+        return np.median(values)
+    scale = np.float32(BINS - 1) / (most - least)
+    counts = np.zeros(BINS, np.int64)
+    for k in range(values.size):
+        counts[np.int64((values[k] - least) * scale)] += 1
+    rank, here = (values.size - 1) // 2, 0
+    while rank >= counts[here]:
+        rank -= counts[here]
+        here += 1
+    beyond = here  # the bin of the upper of two middle ones
+    if values.size % 2 == 0 and rank + 1 == counts[here]:
+        beyond += 1
+        while counts[beyond] == 0:
+            beyond += 1
+    inside = np.empty(values.size, np.float32)
+    n = 0
+    for k in range(values.size):
+        at = np.int64((values[k] - least) * scale)
+        inside[n] = values[k]
+        n += (at == here) | (at == beyond)
+    few = np.sort(inside[:n])
+    return (few[rank] + few[rank + 1 - values.size % 2]) / 2
+
+
+@njit(cache=True, nogil=True)
 def measure_paths(
     a, width, theta, still, moving, clear, points, offsets, sampled, kept, cost, background, gained
 ):
@@ -96,7 +129,7 @@ def measure_paths(
     """
     C = np.empty(4 * sampled, np.float32)
     block = np.empty(16 * sampled * sampled, np.float32)
-    one = np.empty(1, np.float32)
+    groups = a.shape[0] // width
     longest = 0
     for s in range(offsets.size - 1):
         longest = max(longest, offsets[s + 1] - offsets[s])
@@ -107,8 +140,7 @@ def measure_paths(
         begin, end = n, 0
         for k in range(n):
             i, j = points[o + k, 0], points[o + k, 1]
-            distances_to(a, i, j, j + 1, 1, width, one)
-            d[k] = one[0]
+            d[k] = _distance(a, i, j, width, groups)
             gain[k] = 1.0 - d[k] / min(theta[i], theta[j])
             if still[i] or still[j]:
                 gain[k] = -0.1
@@ -136,4 +168,4 @@ def measure_paths(
                 if C[k] == C[k]:
                     block[seen] = C[k]
                     seen += 1
-        background[s] = np.median(block[:seen])
+        background[s] = median(block[:seen])

@@ -86,10 +86,14 @@ def returns_of(
 
     def rest_of(stripes: Sequence[Stripe]) -> list[Stripe | None]:
         """What is left of stripes; None where that is too short or not clear."""
-        free = [~taken[stripe.path[:, 0]] & ~taken[stripe.path[:, 1]] for stripe in stripes]
-        cut = [k for k, kept in enumerate(free) if (~kept).sum() > min(FREE * len(kept), shortest / 2)]
         rests: list[Stripe | None] = list(stripes)
-        paths = [part(stripes[k], free[k]) for k in cut]
+        lengths = np.array([len(stripe.path) for stripe in stripes], np.int64)
+        points = np.concatenate([np.zeros((0, 2), np.int32), *(stripe.path for stripe in stripes)])
+        free = ~taken[points].any(axis=1)
+        starts = np.cumsum(lengths) - lengths
+        lost = lengths - np.add.reduceat(free, starts, dtype=np.int64) if len(stripes) else lengths
+        cut = np.flatnonzero(lost > np.minimum(FREE * lengths, shortest / 2)).tolist()
+        paths = [part(stripes[k], free[starts[k] : starts[k] + lengths[k]]) for k in cut]
         for k, rest in zip(cut, measure(paths, distances, alike), strict=True):
             rests[k] = rest
         return [

@@ -72,7 +72,8 @@ class Stripe:
     @cached_property
     def lag(self) -> float:
         """How much later the later one is, moments."""
-        return float(np.median(self.path[:, 1] - self.path[:, 0]))
+        lags = np.sort(self.path[:, 1] - self.path[:, 0])  # much faster than numpy's median of a few
+        return float(lags[len(lags) // 2] + lags[(len(lags) - 1) // 2]) / 2
 
     @property
     def contrast(self) -> float:

@@ -12,6 +12,7 @@ the right are one movement: of two movements that are mirror images of one anoth
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from functools import cache
 from itertools import pairwise
 
 import numpy as np
@@ -51,6 +52,7 @@ def alternation(distances: Distances, max_distance: float) -> Alternates:
     features = distances.features
     image = mirrored(features)
 
+    @cache
     def alternates(a: tuple[int, int], b: tuple[int, int]) -> bool:
         if image is None:
             return False

@@ -184,16 +184,19 @@ class Scribe:
         if not paths:
             return []
         lengths = np.array([len(path) for path in paths])
-        apart = self.distances.along(np.concatenate(paths)).astype(np.float64)
+        points = np.concatenate(paths)
+        apart = self.distances.along(points).astype(np.float64)
         firsts = np.cumsum(lengths) - lengths
         seen = np.add.reduceat(np.isfinite(apart).astype(np.int64), firsts)
         costs = np.add.reduceat(np.nan_to_num(apart), firsts) / seen * self.scale
-        written = []
-        for path, stop, cost in zip(paths, stops, costs.tolist(), strict=True):
-            last = np.maximum((path[-1:] + 1) * self.ratio - 1, path[-1:] * self.ratio)
-            frames = np.round(np.concatenate((path * self.ratio, last))).astype(np.int64)
-            written.append(PatternPair(name, np.minimum(frames, stop - 1), cost))
-        return written
+        ends = np.cumsum(lengths)
+        lasts = points[ends - 1]
+        lasts = np.maximum((lasts + 1) * self.ratio - 1, lasts * self.ratio)
+        frames = np.round(np.insert(points * self.ratio, ends, lasts, axis=0)).astype(np.int64)
+        frames = np.minimum(frames, np.repeat(np.asarray(stops) - 1, lengths + 1, axis=0))
+        frames.flags.writeable = False
+        pieces = np.split(frames, (ends + np.arange(1, len(ends) + 1))[:-1])
+        return [PatternPair(name, piece, cost) for piece, cost in zip(pieces, costs.tolist(), strict=True)]
 
     def _compare(self, occurrences: Sequence[tuple[float, float]]) -> tuple[np.ndarray, np.ndarray]:
         """Align pairs of occurrences, neighbours first: mean distances (K,), and which pairs (K, 2)."""
