@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from functools import cached_property
 from itertools import islice, pairwise
 from typing import NamedTuple
 
@@ -14,7 +15,7 @@ from leitmotion.discovery.overlay import AGREED, overlay_of_stretches
 from leitmotion.discovery.pattern import Pattern, PatternPair, cut_at_occurrences, letter
 from leitmotion.discovery.returns import Return
 from leitmotion.discovery.search import Criteria, Seen
-from leitmotion.discovery.stripes import Stripe, likeness, measure, part
+from leitmotion.discovery.stripes import Likeness, Stripe, likeness, measure, part
 from leitmotion.discovery.themes import Theme
 from leitmotion.features.sequence import FeatureSequence
 from leitmotion.motion.segmentation import Segmentation
@@ -64,10 +65,17 @@ class Scribe:
         self.scale = features.scale
         self.unit = features.unit
         self.distances = distances
-        self.alike = likeness(
-            distances, max_distance=criteria.max_distance, min_amplitude=criteria.min_amplitude
-        )
+        self.criteria = criteria
         self.max_distance = criteria.max_distance
+
+    @cached_property
+    def alike(self) -> Likeness:
+        """What counts as alike; only what is cyclic asks for it."""
+        return likeness(
+            self.distances,
+            max_distance=self.criteria.max_distance,
+            min_amplitude=self.criteria.min_amplitude,
+        )
 
     def describe(self, seen: Seen) -> list[Found]:
         """All of what one pass saw, but for what its own occurrences gainsay."""

@@ -113,6 +113,8 @@ def band(a, width, C):
     n = a.shape[1]
     for i in range(n):
         stop = min(n, i + C.shape[1])
+        if np.isnan(_distance(a, i, i, width, a.shape[0] // width)):  # nothing of this moment was seen
+            stop = i
         distances_to(a, i, i, stop, 1, width, C[i])
         C[i, stop - i :] = np.nan
 
