@@ -55,3 +55,9 @@ def test_a_later_run_gives_up_what_the_earlier_one_holds(second):
     assert settled[0].borders == [0.0, 30.0, 60.0, 90.0]
     assert all(before.stop <= after.start for before, after in pairwise(settled))
     assert [r.borders for r in settled[1:]] == ([[105.0, 135.0]] if len(second) == 3 else [])
+
+
+@pytest.mark.parametrize("second", [(89.0, 120.0), (82.0, 120.0, 150.0)])
+def test_a_cycle_that_the_earlier_run_hardly_reaches_into_is_kept(second):
+    _, later = search._settled([run(0.0, 30.0, 60.0, 90.0), run(*second)])
+    assert (later.start, later.borders) == (90.0, [90.0, *second[1:]])

@@ -21,7 +21,7 @@ from leitmotion.discovery.pauses import from_rest_to_rest
 from leitmotion.discovery.refine import Refiner
 from leitmotion.discovery.returns import Return, returns_of
 from leitmotion.discovery.stripes import Likeness, Stripe, likeness, measure
-from leitmotion.discovery.themes import Theme, themes_of
+from leitmotion.discovery.themes import FREE, Theme, themes_of
 from leitmotion.discovery.tracing import trace_stripes
 from leitmotion.discovery.units import alternation, divide
 from leitmotion.similarity import Distances
@@ -141,12 +141,23 @@ def _first_cycles(
 
 
 def _settled(runs: Sequence[Run]) -> list[Run]:
-    """Runs of one theme without overlap: a later run gives up the cycles that begin before the earlier one ends."""
+    """Runs of one theme without overlap: a later run gives up the cycles that the earlier one reaches well into.
+
+    A cycle into which it reaches by less than a single occurrence may overlap a run begins where the earlier one ends.
+    """
     settled: list[Run] = []
     for run in sorted(runs, key=lambda run: run.start):
         if settled and run.start < settled[-1].stop:
             last = settled[-1]
-            borders = [b for b in run.borders if b >= last.borders[-1]]
+            end = last.borders[-1]
+            borders = [b for b in run.borders if b >= end]
+            given_up = len(run.borders) - len(borders)
+            if (
+                borders
+                and given_up
+                and borders[0] - end > (1 - FREE) * (borders[0] - run.borders[given_up - 1])
+            ):
+                borders.insert(0, end)
             if len(borders) < 2:
                 last.stop = max(last.stop, run.stop)
                 continue
