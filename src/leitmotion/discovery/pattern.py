@@ -115,7 +115,8 @@ class Patterns(Noun):
     Parameters
     ----------
     patterns : tuple of Pattern
-        In order of the time they fill, most first.
+        In order of the time they fill, most first. Occurrences of two patterns may overlap where one movement passes
+        into the other, those of acyclic ones by half of the shortest stretch that was looked for.
     pairs : tuple of PatternPair
         Paths between two occurrences of one pattern, at most one for each two.
     stripes : tuple of PatternPair

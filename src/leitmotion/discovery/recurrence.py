@@ -79,7 +79,8 @@ def find_recurrences(
     Returns
     -------
     Patterns
-        The pattern that fills most time first.
+        The pattern that fills most time first. Occurrences of two movements that come back later may overlap by half of
+        `min_duration_s`, as what is left of a stretch is cut only where more of it is explained.
 
     Raises
     ------

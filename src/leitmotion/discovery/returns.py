@@ -79,7 +79,7 @@ def returns_of(
     -------
     list of Return
         Each with at least two occurrences that do not overlap. Occurrences of two returns may, by half of the shortest
-        stretch: what is left of a stripe is cut only where it shares more with what is explained.
+        stretch and a moment: what is left of a stripe is cut only where it shares more with what is explained.
     """
     taken = np.zeros(len(distances), bool)
     _take(taken, [(run.start, run.stop) for theme in themes for run in theme.runs])
