@@ -1,6 +1,7 @@
 """The typical occurrence, and how the others differ from it."""
 
 import itertools
+import tracemalloc
 
 import numpy as np
 import pytest
@@ -55,6 +56,20 @@ def test_of_two_the_first_is_typical() -> None:
 def test_the_typical_one_does_not_depend_on_the_rate() -> None:
     features = hand([bump(height) for height in (0.2, 0.9, 0.4, 0.35, 0.3)])
     assert typical_occurrence(pattern([60] * 5), features[::2]) == 3
+
+
+def test_occurrences_of_minutes_are_laid_over_one_another_in_bounded_memory() -> None:
+    long, longer = round(200 * RATE), round(210 * RATE)
+    turns = [np.linspace(0, 40 * np.pi, count) for count in (long, longer)]
+    values = np.concatenate([np.stack((np.cos(t), np.sin(t), t / 20), axis=1) for t in turns])
+    twice = FeatureSequence(values, ("hand",), RATE, ("place",), 3)
+    tracemalloc.start()
+    laid = align_occurrences(pattern([long, longer]), 0, 1, twice)
+    peak = tracemalloc.get_traced_memory()[1]
+    tracemalloc.stop()
+    assert peak < long * longer  # at 30 moments a second, their distances alone
+    meant = laid.path[:, 0] * longer / long + long
+    np.testing.assert_allclose(laid.path[:, 1], meant, atol=8)
 
 
 def test_of_very_many_the_typical_one_is_found_soon() -> None:

@@ -2,7 +2,8 @@
 
 Conventions
 -----------
-Occurrences are aligned at a working rate of 30 moments a second, whatever the rate of the recording.
+Occurrences are aligned at a working rate of 30 moments a second, whatever the rate of the recording; those that last
+longer than a minute at a lower one, as memory grows with the square of the number of moments.
 """
 
 from __future__ import annotations
@@ -16,6 +17,7 @@ from leitmotion.motion.segmentation import Segmentation
 from leitmotion.similarity import Alignment, align, cross_distance
 
 WORKING_RATE = 30.0  # hertz
+MOMENTS = 2000  # of an occurrence, at most
 COMPARED = 40  # occurrences that may become the typical one, and others that each is aligned with
 
 
@@ -83,16 +85,20 @@ def align_occurrences(pattern: Pattern, k: int, m: int, features: FeatureSequenc
     Returns
     -------
     Alignment
-        `path` in frames of the occurrences; a step a moment at 30 Hz. `cost` is the mean distance along it.
+        `path` in frames of the occurrences; a step a moment, at 30 Hz unless they last longer than a minute. `cost` is
+        the mean distance along it.
     """
     check_features(pattern, features)
-    rows, columns = (_moments(pattern.occurrences, n) for n in (k, m))
+    spans = pattern.occurrences
+    longest = float((spans.stops - spans.starts)[[k, m]].max()) / spans.rate
+    rate = min(WORKING_RATE, MOMENTS / longest)
+    rows, columns = (_moments(spans, n, rate) for n in (k, m))
     a, b = (at_moments(features, moments) for moments in (rows, columns))
     distances = cross_distance(a, b).values.astype(np.float64)
     known = np.isfinite(distances)
     laid = align(np.where(known, distances, distances[known].max(initial=0.0)))
     path = np.stack((rows[laid.path[:, 0]], columns[laid.path[:, 1]]), axis=1)
-    return laid.replace(path=np.round(path * pattern.occurrences.rate).astype(np.int64))
+    return laid.replace(path=np.round(path * spans.rate).astype(np.int64))
 
 
 def at_moments(features: FeatureSequence, moments: np.ndarray) -> FeatureSequence:
@@ -101,11 +107,11 @@ def at_moments(features: FeatureSequence, moments: np.ndarray) -> FeatureSequenc
     return features.replace(values=features.values[frames])
 
 
-def _moments(spans: Segmentation, k: int) -> np.ndarray:
-    """Moments of a stretch at the working rate, from its first frame on, seconds."""
+def _moments(spans: Segmentation, k: int, rate: float) -> np.ndarray:
+    """Moments of a stretch at a rate, from its first frame on, seconds."""
     start, stop = spans.starts[k] / spans.rate, spans.stops[k] / spans.rate
-    count = max(2, round((stop - start) * WORKING_RATE))
-    return np.minimum(start + np.arange(count) / WORKING_RATE, stop - 1 / spans.rate)
+    count = max(2, round((stop - start) * rate))
+    return np.minimum(start + np.arange(count) / rate, stop - 1 / spans.rate)
 
 
 def check_features(pattern: Pattern, features: FeatureSequence) -> None:
