@@ -52,7 +52,7 @@ def test_two_cycles_are_parted_where_a_part_of_them_comes_back_elsewhere():
     assert not any(pattern.kind == "cyclic" for pattern in found)
 
 
-@pytest.mark.parametrize(("size", "told"), [(0.5, 0), (1.0, 1)])
+@pytest.mark.parametrize(("size", "told"), [(0.33, 0), (1.0, 1)])
 def test_what_is_farther_apart_must_be_clearer(size, told):
     elsewhere = shift(2, 1.07 * MAX_DISTANCE, (np.cos(0.9), -1.0, 0.0))  # too far for the first look
     once = closed(size)
@@ -64,7 +64,7 @@ def test_what_is_farther_apart_must_be_clearer(size, told):
 
 @pytest.mark.parametrize(("around", "told"), [(2, [3]), (4, [])])
 def test_what_is_alike_to_one_occurrence_alone_is_no_pattern(around, told):
-    others = [shift(k // 2, 0.74 * MAX_DISTANCE * (-1) ** k) for k in range(around)]
+    others = [shift(k // 2, 0.9 * MAX_DISTANCE * (-1) ** k) for k in range(around)]
     wider = 1 + 0.3 * np.minimum(1, 2 * np.sin(np.pi * np.arange(45) / 45))[:, None]
     parts, before = [], np.zeros(9)
     for place in (np.zeros(9), *others):
