@@ -8,19 +8,20 @@ import pytest
 import leitmotion as lm
 from cli.conftest import Run
 from leitmotion import io
-from leitmotion.cli import demo, pages
+from leitmotion.cli import demo
+from leitmotion.cli.ours import is_ours
 
 PAGE_OF_SOMEBODY = "<!doctype html><title>My thesis</title>"
 
 
 def is_page(path: Path) -> bool:
-    return pages.is_ours(path)
+    return is_ours(path)
 
 
 def test_the_page_has_the_name_of_the_recording_in_the_current_folder(run: Run, made: Path) -> None:
     told = run("report", made / "jacks.bvh")
     assert told.exit_code == 0
-    assert told.stdout == "One movement recurs, four times. Open jacks.html\n"
+    assert told.stdout == "One movement recurs, four times.\nWrote jacks.html.\n"
     assert is_page(Path("jacks.html"))
 
 
@@ -177,10 +178,10 @@ def test_demo_puts_what_it_finds_beside_the_truth(run: Run, monkeypatch: pytest.
     monkeypatch.setattr(demo, "open_page", no_browser)
     told = run("demo", "--no-open")
     assert told.exit_code == 0
-    assert told.stdout.endswith(f"The page: {Path('leitmotion-demo.html').resolve()}\n")
+    assert told.stdout.endswith("Wrote leitmotion-demo.html.\n")
     assert is_page(Path("leitmotion-demo.html"))
     truth = told.stdout[told.stdout.index("\nthe truth") + 1 :]
-    rows = [line.split("  ") for line in truth.splitlines()[1:] if line and not line.startswith("The page")]
+    rows = [line.split("  ") for line in truth.splitlines()[1:] if line and not line.startswith("Wrote")]
     assert [row[0] for row in rows] == [
         "walk", "jumping jack", "squat", "left side kick", "right side kick", "arm raise", "walk",
     ]  # fmt: skip

@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 import contextlib
-import os
-import sys
 from collections.abc import Callable, Collection, Generator, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -15,6 +13,7 @@ import click
 from leitmotion.cli.documents import Document, answer_document, as_line, error_document
 from leitmotion.cli.failures import Failure, explain, show_traceback
 from leitmotion.cli.inputs import Input, expand
+from leitmotion.cli.outputs import reader_may_leave, tell_written
 from leitmotion.cli.printing import answer_console
 from leitmotion.cli.progress import Progress
 
@@ -47,6 +46,8 @@ class Answer:
     show: Callable[[Console], None]
     parameters: Mapping[str, object] = field(default_factory=dict)
     warnings: Sequence[str] = ()
+    written: Sequence[str] = ()
+    """What was written about this input alone, a sentence for each file."""
     headed: bool = True
     """Whether beside others it stands under its input's name, apart from them."""
     silent: bool = False
@@ -187,19 +188,15 @@ def _print(
         document = answer_document(
             verb, answer.source, parameters=answer.parameters, warnings=answer.warnings, result=answer.result
         )
-    try:
+    with reader_may_leave(options):
         if options.as_json:
             click.echo(as_line(document))
         elif isinstance(answer, Failure):
             click.echo(line(given, "Error", answer.text, alone=alone), err=True)
         elif alone or not answer.silent:
             _show(given, answer, options, first=first, alone=alone)
-        sys.stdout.flush()
-    except BrokenPipeError:
-        if options.output is None:
-            raise
-        # Who read our output has gone, but a file was asked for as well.
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+    for sentence in () if isinstance(answer, Failure) else answer.written:
+        tell_written(sentence, options)
     return document
 
 

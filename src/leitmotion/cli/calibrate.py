@@ -13,8 +13,8 @@ import click
 from leitmotion.cli.batch import Answer, answer_each, finish
 from leitmotion.cli.documents import Document, calibrate_result, reading_parameters, source_entry
 from leitmotion.cli.inputs import Input
-from leitmotion.cli.options import Options, as_json, common, examples, output, some
-from leitmotion.cli.outputs import check_output, write_documents, write_figure
+from leitmotion.cli.options import Options, as_json, common, examples, force, output, some
+from leitmotion.cli.outputs import PICTURES, TABLES, check_output, keep_table, write_figure
 from leitmotion.cli.printing import print_table
 from leitmotion.cli.progress import Progress
 
@@ -24,8 +24,6 @@ if TYPE_CHECKING:
     from leitmotion.api import Calibration
     from leitmotion.calibration import Looked
 
-TABLES = (".json", ".csv")
-PICTURES = (".png", ".svg", ".pdf")
 COLUMNS = ("threshold", "false_match", "false_non_match")
 """Columns of the table, one row per threshold."""
 
@@ -48,6 +46,7 @@ COLUMNS = ("threshold", "false_match", "false_non_match")
 @click.option("--group", metavar="NAME", help="Calibrate on the pairs of this group.")
 @click.option("--check", "check_group", metavar="NAME", help="Try the threshold on the pairs of this group.")
 @output("Also write the error curves, by the ending: .png, .svg, .pdf, .csv or .json.")
+@force
 @as_json
 @common(searching=False, describing=True)
 def calibrate(
@@ -82,10 +81,11 @@ def calibrate(
         )
         found = concluded(measured)
         unit = FEATURES[options.features].measured_in
+        kept = []
         if options.output is not None and options.output.suffix.lower() in PICTURES:
             from leitmotion.view import plot_calibration
 
-            write_figure(options.output, plot_calibration(found, measured_in=unit))
+            kept.append(write_figure(options.output, plot_calibration(found, measured_in=unit)))
         asked = {"group": group, "check": check_group, "joints": options.joints, "exclude": options.exclude}
         return Answer(
             source=[_source(looked) for looked in measured.recordings],
@@ -98,17 +98,17 @@ def calibrate(
                 **{name: value for name, value in asked.items() if value},
                 **reading_parameters(options.reading, None, swap_sides=options.swap_sides),
             },
+            written=kept,
         )
 
     def check(given: Sequence[Input]) -> None:
         if len(given) != 1 or given[0].shown != pairs or given[0].fault is not None:
             raise click.UsageError(f"{pairs} holds recordings; PAIRS is one table of labelled pairs.")
         if options.output is not None:
-            check_output(options.output, given, endings=PICTURES + TABLES, force=True)
+            check_output(options.output, given, endings=PICTURES + TABLES, force=options.force)
 
     outcome = answer_each("calibrate", [pairs], options, look, check=check)
-    if options.output is not None and options.output.suffix.lower() in TABLES:
-        write_documents(options.output, outcome.documents, COLUMNS, _rows)
+    keep_table(outcome.documents, options, COLUMNS, _rows)
     finish(outcome)
 
 

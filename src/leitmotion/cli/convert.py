@@ -167,7 +167,7 @@ def _targets(
                 f"{out} names one file, but there are {len(given)} recordings. "
                 f"Name a folder: -o {out.with_suffix('')} --to {extension.removeprefix('.')}."
             )
-        check_output(out, given, endings=(extension,), force=options.force)
+        check_output(out, given, endings=(extension,), force=options.force, recording=True)
         return [out]
     if out.exists() and not out.is_dir():
         raise click.UsageError(f"{out} is a file, not a folder.")

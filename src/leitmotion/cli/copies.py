@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import click
 
 from leitmotion.cli.inputs import Input
-from leitmotion.cli.outputs import check_output
+from leitmotion.cli.outputs import check_output, will_be_written
 from leitmotion.cli.suggestions import ending_of
 from leitmotion.cli.targets import plan
 
@@ -47,7 +47,7 @@ def copy_targets(given: Sequence[Input], output: Path, *, force: bool) -> dict[s
                 f"{output} names one file, but there are {len(given)} recordings. "
                 f"Name a folder: -o {output.with_suffix('')}."
             )
-        check_output(output, given, endings=tuple(writable()), force=force)
+        check_output(output, given, endings=tuple(writable()), force=force, recording=True)
         return {given[0].shown: output}
     targets = {}
     for one, place in zip(given, plan(given, output, "").paths, strict=True):
@@ -55,12 +55,12 @@ def copy_targets(given: Sequence[Input], output: Path, *, force: bool) -> dict[s
         named = place.name.lower().endswith(ending)  # where two inputs differ by nothing else
         targets[one.shown] = place if named else place.with_name(place.name + ending)
     for target in targets.values():
-        check_output(target, given, endings=tuple(writable()), force=force)
+        check_output(target, given, endings=tuple(writable()), force=force, recording=True)
     return targets
 
 
-def write_copy(recording: Motion | Trajectories, path: Path, *, force: bool) -> tuple[str, ...]:
-    """Write a recording, and say what its format does not keep of it.
+def write_copy(recording: Motion | Trajectories, path: Path, *, force: bool) -> tuple[str, tuple[str, ...]]:
+    """Write a recording, and say so, and what its format does not keep of it.
 
     Parameters
     ----------
@@ -73,6 +73,8 @@ def write_copy(recording: Motion | Trajectories, path: Path, *, force: bool) -> 
 
     Returns
     -------
+    str
+        What to tell of the file.
     tuple of str
         A sentence for each thing that is not kept.
 
@@ -87,5 +89,6 @@ def write_copy(recording: Motion | Trajectories, path: Path, *, force: bool) -> 
 
     content, lost = written_as(recording, path.suffix.lower())
     refuse_other(path, content, force=force, by="--force")
+    told = will_be_written(path)
     put(path, content, force=force)
-    return tuple(f"{path.name}: {each.detail}" for each in lost)
+    return told, tuple(f"{path.name}: {each.detail}" for each in lost)

@@ -12,7 +12,7 @@ from leitmotion.cli.documents import patterns_result
 from leitmotion.cli.finding import search, show_patterns, warnings_of
 from leitmotion.cli.inputs import Input
 from leitmotion.cli.options import Options, common, examples, force, output, some
-from leitmotion.cli.outputs import check_output
+from leitmotion.cli.outputs import check_output, tell_written
 from leitmotion.cli.pages import open_page, write_page
 from leitmotion.cli.printing import answer_console, print_table
 from leitmotion.cli.progress import Progress
@@ -44,10 +44,9 @@ def demo(data: str | None, no_open: bool, options: Options) -> None:
     page = options.output or PAGE
     check_output(page, [], endings=(".html",), force=options.force)
     if data is None:
-        _practice(page, options)
+        tell_written(_practice(page, options), options)
     else:
         _recording(data, page, options)
-    click.echo(f"The page: {page.resolve()}")
     if not no_open:
         open_page(page)
 
@@ -99,7 +98,7 @@ def _shared(pattern: Pattern, start: int, stop: int) -> int:
     return sum(max(0, min(b, stop) - max(a, start)) for a, b, _, _ in pattern.stretches)
 
 
-def _practice(page: Path, options: Options) -> None:
+def _practice(page: Path, options: Options) -> str:
     from leitmotion.api import compose_session, embody
 
     with Progress(1, quiet=options.quiet) as progress:
@@ -108,11 +107,11 @@ def _practice(page: Path, options: Options) -> None:
         body = embody(session.motion)
         opened = Opened(session.motion, body, source=[])
         found = search(opened, options, progress)
-        write_page(
+        kept = write_page(
             page, opened, found, options, progress, labels=session.stretches, labels_from="the composition"
         )
     if options.quiet:
-        return
+        return kept
     console = answer_console()
     console.print(
         f"A practice session of {session.motion.duration:.0f} s, composed here, so that the truth is known."
@@ -121,6 +120,7 @@ def _practice(page: Path, options: Options) -> None:
     console.print()
     _show_truth(console, compare(session, found))
     console.print()
+    return kept
 
 
 def _show_truth(console: Console, rows: list[Row]) -> None:
@@ -146,7 +146,7 @@ def _recording(data: str, page: Path, options: Options) -> None:
     def look(given: Input, progress: Progress) -> Answer:
         opened = open_one(given, options, progress)
         found = search(opened, options, progress)
-        write_page(page, opened, found, options, progress)
+        kept = write_page(page, opened, found, options, progress)
         return Answer(
             source=opened.source,
             result=patterns_result(found),
@@ -155,6 +155,7 @@ def _recording(data: str, page: Path, options: Options) -> None:
             ),
             parameters=found.parameters,
             warnings=warnings_of(opened, found),
+            written=[kept],
         )
 
     finish(answer_each("demo", [data], options, look))

@@ -12,8 +12,8 @@ import click
 from leitmotion.cli.batch import Answer, answer_one, finish
 from leitmotion.cli.documents import Document, source_entry, stretch
 from leitmotion.cli.inputs import Input
-from leitmotion.cli.options import Options, Positive, answering, as_json, examples, output, some
-from leitmotion.cli.outputs import check_output, write_documents
+from leitmotion.cli.options import Options, Positive, answering, as_json, examples, force, output, some
+from leitmotion.cli.outputs import TABLES, check_output, keep_table
 from leitmotion.cli.printing import print_table
 from leitmotion.cli.progress import Progress
 
@@ -22,7 +22,6 @@ if TYPE_CHECKING:
 
     from leitmotion.evaluating import Judged
 
-TABLES = (".json", ".csv")
 COLUMNS = ("measure", "value", "low", "high")
 """Columns of the table, one row per measure."""
 WORDS = {
@@ -54,6 +53,7 @@ WORDS = {
 @click.option("--tier", metavar="NAME", help="Which tier of an .eaf, where it has several.")
 @click.option("--ignore", multiple=True, metavar="LABEL", help="A label that is no action, such as 'rest'.")
 @output("Also write the measures, by the ending: .json or .csv.")
+@force
 @as_json
 @answering
 def evaluate(
@@ -72,7 +72,7 @@ def evaluate(
     """
     files = [Input(truth, Path(truth)), Input(found, Path(found))]
     if options.output is not None:
-        check_output(options.output, files, endings=TABLES, force=False)
+        check_output(options.output, files, endings=TABLES, force=options.force)
 
     def look(given: Input, progress: Progress) -> Answer:
         from leitmotion.evaluating import judged
@@ -88,8 +88,7 @@ def evaluate(
         )
 
     outcome = answer_one("evaluate", files[1], options, look)
-    if options.output is not None:
-        write_documents(options.output, outcome.documents, COLUMNS, _rows)
+    keep_table(outcome.documents, options, COLUMNS, _rows)
     finish(outcome)
 
 

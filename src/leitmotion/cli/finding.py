@@ -12,10 +12,7 @@ from leitmotion.cli.recordings import Opened
 if TYPE_CHECKING:
     from rich.console import Console
 
-    from leitmotion.api import Body, Patterns, Residual
-
-TOLD = 10
-"""Candidates for what was missed that a person is told at most."""
+    from leitmotion.api import Body, Patterns
 
 
 def search(opened: Opened, options: Options, progress: Progress) -> Patterns:
@@ -41,15 +38,6 @@ def search(opened: Opened, options: Options, progress: Progress) -> Patterns:
     recording, roles = opened.compared_by(options.features)
     with compiling_noted(progress):
         return find_patterns(recording, body_map=roles, **options.searching)
-
-
-def search_left_over(opened: Opened, found: Patterns, progress: Progress) -> Residual:
-    """Search what the patterns left over, telling what goes on."""
-    from leitmotion.api import search_residual
-
-    progress.say(f"Looking through what is left of {opened.body.name}")
-    recording, roles = opened.compared_by(str(found.parameters["feature"]))
-    return search_residual(recording, found, body_map=roles)
 
 
 def warnings_of(opened: Opened, found: Patterns) -> list[str]:
@@ -115,34 +103,3 @@ def show_patterns(console: Console, found: Patterns, *, seconds: float, body: Bo
             for pattern in found.patterns
         ],
     )
-
-
-def show_residual(console: Console, missed: Residual) -> None:
-    """Print what may have been missed, the best candidates one a line.
-
-    Parameters
-    ----------
-    console : Console
-        Where to print.
-    missed : Residual
-        What was left over and correlates.
-    """
-    from leitmotion.view.counting import plural
-
-    seconds = sum(stop - start for start, stop, _, _ in missed.left_over) / missed.rate
-    console.print()
-    if not len(missed.left_over):
-        console.print("Nothing is left over.")
-        return
-    left = f"{seconds:.1f} s in {plural(len(missed.left_over), 'stretch')} left over by the patterns"
-    if not missed.candidates:
-        console.print(f"Of {left}, nothing moves like anything else there.")
-        return
-    some = f", the best {TOLD}" if len(missed) > TOLD else ""
-    console.print(f"Of {left}, {plural(len(missed), 'pair')} may have been missed{some}; many are chance:")
-    for candidate in missed.candidates[:TOLD]:
-        a, b = (
-            f"{start / missed.rate:.1f}–{stop / missed.rate:.1f} s"
-            for start, stop in (candidate.a, candidate.b)
-        )
-        console.print(f"  {a} and {b}, correlation {candidate.correlation:.2f}")

@@ -11,8 +11,8 @@ import click
 from leitmotion.cli.batch import Answer, answer_each, finish
 from leitmotion.cli.documents import Document, info_result, reading_parameters, source_entry
 from leitmotion.cli.inputs import Input
-from leitmotion.cli.options import Options, as_json, common, examples, output, takes_inputs
-from leitmotion.cli.outputs import check_output, write_documents
+from leitmotion.cli.options import Options, as_json, common, examples, force, output, takes_inputs
+from leitmotion.cli.outputs import TABLES, check_output, keep_table
 from leitmotion.cli.printing import print_table
 from leitmotion.cli.progress import Progress
 from leitmotion.cli.recordings import unused_skeleton
@@ -23,7 +23,6 @@ if TYPE_CHECKING:
 
     from leitmotion.api import Info
 
-TABLES = (".json", ".csv")
 COLUMNS = (
     "path", "sha256", "frames", "rate", "seconds", "kind", "count", "people", "roles",
     "unit", "up", "handedness", "facing", "size", "problems", "error",
@@ -39,6 +38,7 @@ COLUMNS = (
 )
 @takes_inputs
 @output("Also write it, by the ending: .json, or .csv with one row per input.")
+@force
 @as_json
 @common(searching=False)
 def info(inputs: tuple[str, ...], options: Options) -> None:
@@ -72,11 +72,10 @@ def info(inputs: tuple[str, ...], options: Options) -> None:
 
     def check(given: Sequence[Input]) -> None:
         if options.output is not None:
-            check_output(options.output, given, endings=TABLES, force=True)
+            check_output(options.output, given, endings=TABLES, force=options.force)
 
     outcome = answer_each("info", inputs, options, look, check=check)
-    if options.output is not None:
-        write_documents(options.output, outcome.documents, COLUMNS, _rows)
+    keep_table(outcome.documents, options, COLUMNS, _rows)
     finish(outcome)
 
 

@@ -12,7 +12,7 @@ from leitmotion.cli.documents import COST_DIGITS, SCORE_DIGITS, Document, patter
 from leitmotion.cli.finding import search, show_patterns, warnings_of
 from leitmotion.cli.inputs import Input
 from leitmotion.cli.options import Options
-from leitmotion.cli.outputs import check_output, write_documents
+from leitmotion.cli.outputs import TABLES, check_output, keep_table, will_be_written
 from leitmotion.cli.pages import write_page
 from leitmotion.cli.printing import print_table
 from leitmotion.cli.progress import Progress
@@ -23,7 +23,6 @@ if TYPE_CHECKING:
 
     from leitmotion.api import Lesson, Segmentation
 
-TABLES = (".json", ".csv")
 OF_ONE = (".html", ".eaf")
 COLUMNS = (
     "path", "rank", "pattern", "kind", "role", "occurrence", "start", "stop", "start_s", "stop_s",
@@ -70,12 +69,15 @@ def teach(inputs: tuple[str, ...], options: Options) -> None:
         found = search(opened, options, progress)
         progress.say(f"Comparing what recurs in {opened.body.name}")
         lesson = make_lesson(opened.body, found, joints=options.joints or None, exclude=options.exclude)
-        if options.output is not None and options.output.suffix.lower() == ".html":
-            write_page(options.output, opened, found, options, progress)
-        if options.output is not None and options.output.suffix.lower() == ".eaf":
+        out = options.output
+        kept = []
+        if out is not None and out.suffix.lower() == ".html":
+            kept.append(write_page(out, opened, found, options, progress))
+        if out is not None and out.suffix.lower() == ".eaf":
             from leitmotion.io import write_annotations
 
-            write_annotations(_as_labels(lesson, opened.first_frame), options.output, tier="lesson")
+            kept.append(will_be_written(out))
+            write_annotations(_as_labels(lesson, opened.first_frame), out, tier="lesson")
 
         def show(console: Console) -> None:
             if lesson.steps:
@@ -89,11 +91,11 @@ def teach(inputs: tuple[str, ...], options: Options) -> None:
             show=show,
             parameters={**found.parameters, **opened.parameters},
             warnings=warnings_of(opened, found),
+            written=kept,
         )
 
     outcome = answer_each("patterns", inputs, options, look, check=check)
-    if options.output is not None and options.output.suffix.lower() in TABLES:
-        write_documents(options.output, outcome.documents, COLUMNS, _rows)
+    keep_table(outcome.documents, options, COLUMNS, _rows)
     finish(outcome)
 
 

@@ -264,7 +264,7 @@ _ANSWERING = (
         help="Show where in the program an error arose.",
     ),
 )
-force = click.option("--force", is_flag=True, help="Replace an .html file that Leitmotion did not write.")
+force = click.option("--force", is_flag=True, help="Replace a file that is there and not from Leitmotion.")
 as_json = click.option(
     "--json", "as_json", is_flag=True, help="Print one JSON document per input, one per line."
 )

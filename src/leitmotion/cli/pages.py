@@ -1,4 +1,4 @@
-"""The page of a recording: written, recognised as ours, and opened in the browser."""
+"""The page of a recording: written, and opened in the browser."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from leitmotion.cli.options import Options
+from leitmotion.cli.outputs import will_be_written
 from leitmotion.cli.progress import Progress
 
 if TYPE_CHECKING:
@@ -24,7 +25,7 @@ def write_page(
     *,
     labels: Segmentation | None = None,
     labels_from: str = "",
-) -> None:
+) -> str:
     """Write the page that shows what recurs in a recording.
 
     Parameters
@@ -43,11 +44,17 @@ def write_page(
         Labels from elsewhere.
     labels_from : str
         Where they are from.
+
+    Returns
+    -------
+    str
+        What to tell of it.
     """
     from leitmotion.api import report
 
     progress.say(f"Writing {page.name}")
     recording, roles = opened.compared_by(options.features)
+    told = will_be_written(page)
     report(
         recording,
         page,
@@ -60,13 +67,7 @@ def write_page(
         exclude=options.exclude,
         force=True,  # whether the page may be replaced was asked before any work
     )
-
-
-def is_ours(path: Path) -> bool:
-    """Tell whether Leitmotion wrote a page."""
-    from leitmotion.view.report import is_ours as written_by_us
-
-    return written_by_us(path)
+    return told
 
 
 def open_page(page: Path) -> bool:

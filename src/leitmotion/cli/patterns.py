@@ -11,14 +11,25 @@ import click
 from leitmotion.cli.across import answer_across
 from leitmotion.cli.batch import Answer, answer_each, finish
 from leitmotion.cli.documents import Document, patterns_result, residual_result
-from leitmotion.cli.finding import search, search_left_over, show_patterns, show_residual, warnings_of
+from leitmotion.cli.finding import search, show_patterns, warnings_of
 from leitmotion.cli.inputs import Input
 from leitmotion.cli.lesson import lesson_option, teach
-from leitmotion.cli.options import Options, as_json, common, examples, output, takes_inputs
-from leitmotion.cli.outputs import check_output, write_documents, write_figure
+from leitmotion.cli.options import Options, as_json, common, examples, force, output, takes_inputs
+from leitmotion.cli.outputs import (
+    PICTURES,
+    TABLES,
+    check_output,
+    keep_table,
+    tell_written,
+    will_be_written,
+    write_documents,
+    write_figure,
+)
 from leitmotion.cli.pages import write_page
 from leitmotion.cli.progress import Progress
 from leitmotion.cli.recordings import Opened, open_one
+from leitmotion.cli.residual import COLUMNS as RESIDUAL
+from leitmotion.cli.residual import residual_rows, search_left_over, show_residual, table_beside
 from leitmotion.cli.summary import summarise, summary_options
 
 if TYPE_CHECKING:
@@ -26,8 +37,6 @@ if TYPE_CHECKING:
 
     from leitmotion.api import Patterns, Segmentation
 
-TABLES = (".json", ".csv")
-PICTURES = (".png", ".svg", ".pdf")
 OF_ONE = (".html", ".eaf", ".npz", *PICTURES)
 """Endings of what shows a single recording."""
 COLUMNS = (
@@ -50,7 +59,10 @@ COLUMNS = (
 )
 @takes_inputs
 @click.option(
-    "--residual", is_flag=True, help="Also tell what may have been missed: moves left over that correlate."
+    "--residual",
+    is_flag=True,
+    help="Also tell what may have been missed: moves left over that correlate. Beside -o FOUND.csv they stand in "
+    "FOUND-residual.csv.",
 )
 @output(
     "Also write what was found, by the ending: .json or .csv; of one input .html, .eaf (ELAN), "
@@ -59,11 +71,7 @@ COLUMNS = (
 @click.option("--across", is_flag=True, help="Search all inputs together: which movements do they share?")
 @summary_options
 @lesson_option
-@click.option(
-    "--force",
-    is_flag=True,
-    help="Replace an .html file that Leitmotion did not write; with --summary a recording of other content.",
-)
+@force
 @as_json
 @common()
 def patterns(
@@ -85,17 +93,19 @@ def patterns(
             "--contents is the table of contents of a summary: give --summary and -o as well."
         )
     if across:
-        finish(answer_across(inputs, options))
+        _share(inputs, options)
         return
     if summary or lesson:
         summarise(inputs, contents, options) if summary else teach(inputs, options)
         return
+    beside = table_beside(options.output) if residual else None
 
     def look(given: Input, progress: Progress) -> Answer:
         opened = open_one(given, options, progress)
         found = search(opened, options, progress)
+        kept = []
         if options.output is not None and options.output.suffix.lower() in OF_ONE:
-            _write_one(options.output, opened, found, options, progress)
+            kept.append(_write_one(options.output, opened, found, options, progress))
         missed = search_left_over(opened, found, progress) if residual else None
 
         def show(console: Console) -> None:
@@ -109,12 +119,15 @@ def patterns(
             show=show,
             parameters={**found.parameters, **opened.parameters},
             warnings=warnings_of(opened, found),
+            written=kept,
         )
 
     def check(given: Sequence[Input]) -> None:
         if options.output is None:
             return
-        check_output(options.output, given, endings=TABLES + OF_ONE, force=options.force)
+        for file in (options.output, beside):
+            if file is not None:
+                check_output(file, given, endings=TABLES + OF_ONE, force=options.force)
         if len(given) > 1 and options.output.suffix.lower() in OF_ONE:
             raise click.UsageError(
                 f"{options.output.name} shows one recording, but there are {len(given)}. Write a .csv or .json of "
@@ -122,17 +135,25 @@ def patterns(
             )
 
     outcome = answer_each("patterns", inputs, options, look, check=check)
-    if options.output is not None and options.output.suffix.lower() in TABLES:
-        write_documents(options.output, outcome.documents, COLUMNS, _rows)
+    keep_table(outcome.documents, options, COLUMNS, _rows)
+    if beside is not None:
+        tell_written(write_documents(beside, outcome.documents, RESIDUAL, residual_rows), options)
     finish(outcome)
 
 
-def _write_one(path: Path, opened: Opened, found: Patterns, options: Options, progress: Progress) -> None:
+def _share(inputs: tuple[str, ...], options: Options) -> None:
+    told = "" if options.output is None else will_be_written(options.output)
+    outcome = answer_across(inputs, options)
+    tell_written(told if "result" in outcome.documents[-1] else "", options)
+    finish(outcome)
+
+
+def _write_one(path: Path, opened: Opened, found: Patterns, options: Options, progress: Progress) -> str:
     ending = path.suffix.lower()
     if ending == ".html":
-        write_page(path, opened, found, options, progress)
-        return
+        return write_page(path, opened, found, options, progress)
     progress.say(f"Writing {path.name}")
+    told = will_be_written(path)
     if ending == ".eaf":
         from leitmotion.io import write_annotations
 
@@ -145,6 +166,7 @@ def _write_one(path: Path, opened: Opened, found: Patterns, options: Options, pr
         from leitmotion.view import plot_patterns
 
         write_figure(path, plot_patterns(found, seconds=opened.source[0]["seconds"]))
+    return told
 
 
 def _as_labels(found: Patterns, first: int) -> Segmentation:

@@ -14,7 +14,7 @@ from leitmotion.cli.batch import Answer, answer_each, finish
 from leitmotion.cli.copies import copy_targets, write_copy
 from leitmotion.cli.documents import reading_parameters, repair_result, source_entry
 from leitmotion.cli.inputs import Input
-from leitmotion.cli.options import Options, Positive, as_json, common, examples, output, takes_inputs
+from leitmotion.cli.options import Options, Positive, as_json, common, examples, force, output, takes_inputs
 from leitmotion.cli.printing import print_table
 from leitmotion.cli.progress import Progress
 from leitmotion.cli.recordings import read_one, unused_skeleton
@@ -88,7 +88,7 @@ class _Cutoff(click.ParamType):
     "--filter", "filter_", type=_Cutoff(), metavar="HZ", help="Smooth by a low-pass of this cutoff, or auto."
 )
 @click.option("--level", is_flag=True, help="Turn the floor level and put it at height 0.")
-@click.option("--force", is_flag=True, help="Replace files that hold something else.")
+@force
 @as_json
 @common(searching=False)
 def repair(inputs: tuple[str, ...], options: Options, filter_: float | str | None, **chosen: Any) -> None:
@@ -121,15 +121,16 @@ def repair(inputs: tuple[str, ...], options: Options, filter_: float | str | Non
         suggestion = one_command(problems, given, options, points=points)
         progress.say(f"Mending {given.path.name}")
         mended = mend(recording, **remedies, body_map=entries)
-        written = targets.get(given.shown)
-        lost = () if written is None else write_copy(mended.recording, written, force=options.force)
+        target = targets.get(given.shown)
+        kept, lost = ("", ()) if target is None else write_copy(mended.recording, target, force=options.force)
         parameters = reading_parameters(options.reading, reading.window)
         return Answer(
             source=[source_entry(given, frames=len(recording), rate=recording.rate)],
             parameters={**parameters, "remedies": remedies},
-            result=repair_result(mended, written=written, suggestion=suggestion),
-            show=lambda console: _show(console, mended, written, suggestion, asked=bool(remedies)),
+            result=repair_result(mended, written=target, suggestion=suggestion),
+            show=lambda console: _show(console, mended, target, suggestion, asked=bool(remedies)),
             warnings=[*reading.warnings, *lost, *unused_skeleton(options, reading.findings)],
+            written=[kept],
         )
 
     finish(answer_each("repair", inputs, options, look, check=check))
@@ -142,7 +143,7 @@ def _check_together(remedies: dict[str, Any]) -> None:
         raise click.UsageError("--max-gap says which gaps are filled: give --fill as well.")
 
 
-def _show(console: Console, mended: Repaired, written: Path | None, suggestion: str, *, asked: bool) -> None:
+def _show(console: Console, mended: Repaired, target: Path | None, suggestion: str, *, asked: bool) -> None:
     from leitmotion.view.counting import plural
 
     if not asked:
@@ -151,8 +152,8 @@ def _show(console: Console, mended: Repaired, written: Path | None, suggestion: 
             f"What would help:\n  {suggestion}" if suggestion else "No problem was found that one would mend."
         )
         return
-    where = f"written to {written}" if written is not None else "nothing was written: name a file with -o"
-    console.print(f"{plural(len(mended.changes), 'change')}; {where}.", style="bold")
+    where = "; nothing was written: name a file with -o" if target is None else ""
+    console.print(f"{plural(len(mended.changes), 'change')}{where}.", style="bold")
     rate = mended.recording.rate
     rows = [
         (

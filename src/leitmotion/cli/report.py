@@ -72,7 +72,7 @@ def report(
         lane, notes = (None, []) if labels is None else _read_labels(labels, tier, opened)
         found = search(opened, options, progress)
         page = pages[given.shown]
-        write_page(
+        kept = write_page(
             page,
             opened,
             found,
@@ -86,9 +86,10 @@ def report(
         return Answer(
             source=opened.source,
             result=patterns_result(found) | {"written": str(page)},
-            show=lambda console: console.print(f"{title(found)}. Open {page}"),
+            show=lambda console: console.print(f"{title(found)}.", style="bold"),
             parameters={**found.parameters, **opened.parameters},
             warnings=[*warnings_of(opened, found), *notes],
+            written=[kept],
         )
 
     finish(answer_each("report", inputs, options, look, check=check))

@@ -14,7 +14,7 @@ from leitmotion.cli.documents import Document, patterns_result, stretch
 from leitmotion.cli.finding import search, show_patterns, warnings_of
 from leitmotion.cli.inputs import Input
 from leitmotion.cli.options import Options
-from leitmotion.cli.outputs import check_output, write_documents
+from leitmotion.cli.outputs import check_output, tell_written, write_documents
 from leitmotion.cli.printing import print_table
 from leitmotion.cli.progress import Progress
 from leitmotion.cli.recordings import open_one
@@ -73,7 +73,7 @@ def summarise(inputs: tuple[str, ...], contents: Path | None, options: Options) 
 
         opened = open_one(given, options, progress)
         found = search(opened, options, progress)
-        shown, written, lost = None, None, tuple[str, ...]()
+        shown, target, kept, lost = None, None, "", tuple[str, ...]()
         if found.patterns:
             progress.say(f"Making a summary of {given.path.name}")
             shown = summarize(
@@ -83,8 +83,9 @@ def summarise(inputs: tuple[str, ...], contents: Path | None, options: Options) 
                 exclude=options.exclude,
                 body_map=opened.roles,
             )
-            written = targets.get(given.shown)
-            lost = () if written is None else write_copy(shown.recording, written, force=options.force)
+            target = targets.get(given.shown)
+            if target is not None:
+                kept, lost = write_copy(shown.recording, target, force=options.force)
         seconds = opened.source[0]["seconds"]
 
         def show(console: Console) -> None:
@@ -92,19 +93,20 @@ def summarise(inputs: tuple[str, ...], contents: Path | None, options: Options) 
                 show_patterns(console, found, seconds=seconds, body=opened.body)
                 console.print("So there is nothing to summarise, and no recording was written.")
             else:
-                _show(console, shown, found, written, seconds=seconds)
+                _show(console, shown, found, target, seconds=seconds)
 
         return Answer(
             source=opened.source,
-            result=patterns_result(found) | {"contents": _contents(shown, found), "written": written},
+            result=patterns_result(found) | {"contents": _contents(shown, found), "written": target},
             show=show,
             parameters={**found.parameters, **opened.parameters},
             warnings=[*warnings_of(opened, found), *lost],
+            written=[kept],
         )
 
     outcome = answer_each("patterns", inputs, options, look, check=check)
     if contents is not None:
-        write_documents(contents, outcome.documents, COLUMNS, _rows)
+        tell_written(write_documents(contents, outcome.documents, COLUMNS, _rows), options)
     finish(outcome)
 
 
@@ -123,13 +125,13 @@ def _contents(shown: Summary | None, found: Patterns) -> list[Document]:
     ]
 
 
-def _show(console: Console, shown: Summary, found: Patterns, written: Path | None, *, seconds: float) -> None:
+def _show(console: Console, shown: Summary, found: Patterns, target: Path | None, *, seconds: float) -> None:
     from leitmotion.view.counting import clock, plural
 
-    where = f"written to {written}" if written is not None else "it was not written: name it with -o"
+    where = "; it was not written: name it with -o" if target is None else ""
     count = plural(len(shown.contents), "movement")
     console.print(
-        f"{count} in {shown.recording.duration:.1f} s, of a recording of {seconds:.1f} s; {where}.",
+        f"{count} in {shown.recording.duration:.1f} s, of a recording of {seconds:.1f} s{where}.",
         style="bold",
     )
     console.print()

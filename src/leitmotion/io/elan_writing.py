@@ -17,6 +17,8 @@ from xml.sax.saxutils import escape, quoteattr
 from leitmotion.motion import ParameterError, Segmentation
 
 _NEVER = re.compile("[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")  # what XML cannot hold
+REMARK = "<!-- Leitmotion wrote this; it is gone when another program has saved it. -->"
+"""Stands near the start of every file: what ELAN saves has no remarks."""
 _DATE = "2000-01-01T00:00:00Z"  # the format wants one; the same stretches make the same file whenever it is written
 
 
@@ -73,6 +75,7 @@ def eaf_of(segmentation: Segmentation, *, tier: str = "labels", media: str | Pat
     tiers = [tier, *(f"{tier} {k}" for k in range(2, len(lines) + 1))]
     return "\n".join([
         '<?xml version="1.0" encoding="UTF-8"?>',
+        REMARK,
         f'<ANNOTATION_DOCUMENT AUTHOR="" DATE="{_DATE}" FORMAT="3.0" VERSION="3.0" '
         'xmlns:xsi="http://www.w3.org/2001/XMLSchema-instance" '
         'xsi:noNamespaceSchemaLocation="http://www.mpi.nl/tools/elan/EAFv3.0.xsd">',
