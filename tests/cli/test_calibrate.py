@@ -125,3 +125,17 @@ def test_the_features_that_may_be_typed_are_those_there_are() -> None:
     assert tuple(choices["features"].choices) == tuple(lm.features.FEATURES)
     assert tuple(choices["weights"].choices) == WEIGHTS
     assert Options().features == "posture"
+
+
+@pytest.mark.data
+def test_recordings_within_a_solid_archive_are_read(run: Run, data: Path) -> None:
+    inside = "hdm05/hdm05_bd_bk_dg.tar.xz/squat1Reps/HDM_dg_squat1Reps_035_120.amc"
+    rows = [
+        f"{inside},{a},{inside},{b},{alike}"
+        for a, b, alike in ((5, 9, 1), (7, 12, 1), (5, 90, 0), (9, 99, 0))
+    ]
+    table = "recording_a,frame_a,recording_b,frame_b,alike\n" + "\n".join(rows)
+    Path("pairs.csv").write_text(table, encoding="utf-8")
+    told = run("calibrate", "pairs.csv", "--folder", data)
+    assert told.exit_code == 0, told.stderr
+    assert told.stdout.startswith("Postures at most ")

@@ -44,7 +44,9 @@ def test_a_file_of_somebody_stays_unless_by_force_and_our_own_is_replaced(
     call = ("patterns", made / "jacks.bvh", "-o", name)
     told = run(*call)
     assert told.exit_code == 2
-    assert f"{name} is there, and does not say that Leitmotion wrote it. Replace it with --force." in told.stderr
+    assert (
+        f"{name} is there, and does not say that Leitmotion wrote it. Replace it with --force." in told.stderr
+    )
     assert Path(name).read_bytes() == OF_SOMEBODY
     told = run(*call, "--force")
     assert told.exit_code == 0

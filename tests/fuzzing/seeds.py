@@ -9,6 +9,7 @@ import gzip
 import io as streams
 import json
 import lzma
+import tarfile
 import tempfile
 import zipfile
 from collections.abc import Callable, Iterator
@@ -296,6 +297,8 @@ def _packed() -> Iterator[tuple[str, Callable[[], Files]]]:
         yield f"BVH{ending}", lambda ending=ending, pack=pack: {f"clip.bvh{ending}": pack(clip)}
     yield "BVH.zip", lambda: {"pack.zip": zipped({"inner/clip.bvh": clip})}
     yield "AMC.zip", lambda: {"pack.zip": zipped({f"a/{name}": content for name, content in amc().items()})}
+    yield "BVH.tar", lambda: {"pack.tar": taped({"inner/clip.bvh": clip})}
+    yield "BVH.tar.gz", lambda: {"pack.tar.gz": gzip.compress(taped({"inner/clip.bvh": clip}))}
 
 
 def zipped(members: Files, method: int = zipfile.ZIP_DEFLATED) -> bytes:
@@ -304,6 +307,17 @@ def zipped(members: Files, method: int = zipfile.ZIP_DEFLATED) -> bytes:
     with zipfile.ZipFile(file, "w", method) as box:
         for name, content in members.items():
             box.writestr(zipfile.ZipInfo(name), content, compress_type=method)
+    return file.getvalue()
+
+
+def taped(members: Files, form: int = tarfile.GNU_FORMAT) -> bytes:
+    """A tar archive of these members."""
+    file = streams.BytesIO()
+    with tarfile.open(fileobj=file, mode="w", format=form) as box:
+        for name, content in members.items():
+            info = tarfile.TarInfo(name)
+            info.size = len(content)
+            box.addfile(info, streams.BytesIO(content))
     return file.getvalue()
 
 

@@ -2,17 +2,20 @@
 
 import bz2
 import gzip
+import io as streams
 import lzma
 import struct
+import tarfile
 import time
 import zipfile
 
 import pytest
 
 from fuzzing.law import bounded
-from fuzzing.seeds import SEEDS, amc, zipped
+from fuzzing.seeds import SEEDS, amc, taped, zipped
 from leitmotion import io
-from leitmotion.io.containers import exists, on_disk, recordings_in
+from leitmotion.io import tape
+from leitmotion.io.containers import exists, is_archive, on_disk, recordings_in
 from leitmotion.motion import DataError, FormatError
 
 BVH = SEEDS["BVH of a skeleton"]()["clip.bvh"]
@@ -195,7 +198,102 @@ def test_a_damaged_stream_is_one_sentence(tmp_path, ending, change):
         io.read(path)
 
 
-@pytest.mark.parametrize("name", ["pack.tar", "pack.tar.xz", "pack.tgz", "pack.7z", "pack.rar"])
+TAPES = {
+    ".tar": bytes,
+    ".tar.gz": gzip.compress,
+    ".tgz": gzip.compress,
+    ".tar.bz2": bz2.compress,
+    ".txz": lzma.compress,
+}
+
+
+@pytest.mark.parametrize("ending", [*TAPES, ".tar.xz"])
+@pytest.mark.parametrize("seed", ["AMC", "BVH of a skeleton", "poses of OpenPose"])
+def test_what_is_in_a_tar_reads_as_it_does_unpacked(tmp_path, seed, ending):
+    files = SEEDS[seed]()
+    paths = [put(tmp_path, name, content) for name, content in files.items()]
+    content = taped({f"./a/{name}": content for name, content in files.items()})
+    pack = put(tmp_path, f"pack/pack{ending}", TAPES.get(ending, lzma.compress)(content))
+    expected = io.read_all(paths[0])
+    assert io.read_all(pack) == expected
+    assert io.read_all(pack / "a" / paths[0].name) == expected
+    assert io.read_all(f"{pack}[2:5]") == [one[2:5] for one in expected]
+
+
+@pytest.mark.parametrize("form", [tarfile.USTAR_FORMAT, tarfile.GNU_FORMAT, tarfile.PAX_FORMAT])
+@pytest.mark.parametrize("pack", TAPES.values())
+def test_a_tar_is_told_by_how_it_begins_and_long_names_are_whole(tmp_path, plain, form, pack):
+    name = f"{'a' * 90}/{'b' * 90}.bvh"
+    path = put(tmp_path, "stdin", pack(taped({name: BVH, "readme.md": b"x"}, form)))
+    assert is_archive(path)
+    assert [one.relative_to(path).as_posix() for one in recordings_in(path)] == [name]
+    assert io.read(path).replace(name="clip") == plain.recordings[0]
+
+
+def test_a_solid_archive_is_unpacked_once(tmp_path, monkeypatch):
+    pack = put(tmp_path, "pack.tar.xz", lzma.compress(taped({f"{k}.bvh": BVH for k in range(5)})))
+    times = []
+    original = tape.pieces
+    monkeypatch.setattr(tape, "pieces", lambda content: times.append(1) or original(content))
+    assert len([io.read(path) for path in reversed(recordings_in(pack))]) == 5
+    assert len(times) == 1
+
+
+TAR = taped({"clip.bvh": BVH})
+
+
+def backwards():
+    """A tar whose second header says a size of minus what stands before it, which leads back for ever."""
+    first = tarfile.TarInfo("clip.bvh")
+    first.size = len(BVH)
+    second = bytearray(tarfile.TarInfo("again.bvh").tobuf(tarfile.GNU_FORMAT))
+    second[124:136] = b"\xff" + (-2048).to_bytes(11, "big", signed=True)
+    second[148:156] = b" " * 8
+    second[148:156] = b"%06o\0 " % sum(second)
+    return (
+        first.tobuf(tarfile.GNU_FORMAT)
+        + BVH.ljust(-(-len(BVH) // 512) * 512, b"\0")
+        + bytes(second)
+        + bytes(2048)
+    )
+
+
+@pytest.mark.parametrize(
+    ("content", "match"),
+    [
+        (TAR[:700], "no tar archive or is damaged"),
+        (b"", "no tar archive or is damaged"),
+        (b"rubbish" * 100, "no tar archive or is damaged"),
+        (lzma.compress(TAR)[:-40], "no tar archive or is damaged"),
+        (taped({}), "holds no recordings"),
+        (taped({"a.md": b"x", "b.md": b"x"}), "holds no recordings, but files ending in .md"),
+        (taped({"clip.bvh": b""}), "clip.bvh is empty"),
+        (taped({"inner.zip": ZIP}), "holds an archive within an archive. Unpack the outer"),
+        (taped({"inner.tar": TAR}), "archive of files files are not read. Unpack it"),
+        (taped({"../../clip.bvh": BVH}), r"names a file outside itself, '../../clip.bvh'"),
+        (backwards(), "no tar archive or is damaged|holds 2 recordings"),
+        (gzip.compress(bytes(64 << 20)) * 20, "unpacks to more than"),
+    ],
+)
+def test_what_is_wrong_with_a_tar_is_one_sentence(tmp_path, content, match):
+    with bounded(room=1200 << 20), pytest.raises((FormatError, DataError), match=match):
+        io.read(put(tmp_path, "pack.tar", content))
+
+
+def test_links_in_a_tar_are_no_recordings(tmp_path, plain):
+    file = streams.BytesIO()
+    with tarfile.open(fileobj=file, mode="w") as box:
+        for kind in (tarfile.SYMTYPE, tarfile.LNKTYPE, tarfile.FIFOTYPE, tarfile.DIRTYPE):
+            info = tarfile.TarInfo(f"{kind.decode()}.bvh")
+            info.type, info.linkname = kind, "/etc/passwd"
+            box.addfile(info)
+        info = tarfile.TarInfo("clip.bvh")
+        info.size = len(BVH)
+        box.addfile(info, streams.BytesIO(BVH))
+    assert io.read(put(tmp_path, "pack.tar", file.getvalue())) == plain.recordings[0]
+
+
+@pytest.mark.parametrize("name", ["pack.7z", "pack.rar"])
 def test_other_archives_are_to_be_unpacked(tmp_path, name):
     with pytest.raises(FormatError, match=r"archive of files files are not read\. Unpack it"):
         io.read(put(tmp_path, name, lzma.compress(b"x" * 1000)))

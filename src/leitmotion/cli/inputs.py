@@ -1,4 +1,4 @@
-"""Which recordings an argument means: a file, a folder or a zip archive, a window of these, or standard input."""
+"""Which recordings an argument means: a file, a folder or an archive, a window of these, or standard input."""
 
 from __future__ import annotations
 
@@ -15,8 +15,6 @@ from typing import IO, TYPE_CHECKING
 if TYPE_CHECKING:
     from leitmotion.motion import LeitmotionError
 
-_ZIP = ".zip"
-
 MOST_PIPED = 4 << 30
 """Bytes that are taken from standard input at most."""
 
@@ -30,7 +28,7 @@ class Input:
     shown : str
         What it is called in every answer: the path as typed or found, with its window; ``-`` for standard input.
     path : Path
-        Where its bytes are; the address may go on inside a zip archive.
+        Where its bytes are; the address may go on inside an archive.
     window : str
         The window as typed, ``"[12s:45s]"``, or nothing.
     doubtful : bool
@@ -91,7 +89,7 @@ def expand(
     Parameters
     ----------
     arguments : sequence of str
-        Files, folders and zip archives (searched through, their files in alphabetical order), each with a window or
+        Files, folders and archives (searched through, their files in alphabetical order), each with a window or
         without, or ``-``. Files that hold one recording together are one input, which one of them stands for.
     extensions : sequence of str
         The endings that a recording may have, lower case with the dot; what a folder is searched for.
@@ -129,10 +127,9 @@ def _in_folder(
     folder: Path, window: str, argument: str, extensions: Sequence[str], apart: Set[Path]
 ) -> list[Input]:
     from leitmotion.io.companions import clips_in, represented
-    from leitmotion.io.containers import bare, is_doubtful
+    from leitmotion.io.containers import bare, is_called_archive, is_doubtful
     from leitmotion.motion import DataError
 
-    endings = (*extensions, _ZIP)
     unreadable: list[OSError] = []
     found: list[Path] = []
     for where, folders, names in os.walk(folder, onerror=unreadable.append):
@@ -144,7 +141,7 @@ def _in_folder(
             here / name
             for name in sorted(names)
             if not name.startswith(".")
-            and bare(Path(name)).suffix.lower() in endings
+            and (bare(Path(name)).suffix.lower() in extensions or is_called_archive(Path(name)))
             and not _is_among(here / name, apart)
         ]
     others = represented(found)
@@ -153,7 +150,7 @@ def _in_folder(
         return [Input(argument, found[0], window)]  # the folder is one recording, a file a frame
     inputs: list[Input] = []
     for path in found:
-        if path.suffix.lower() == _ZIP:
+        if is_called_archive(path):
             held = _in_archive(path, window, f"{path}{window}")
             inputs += [replace(one, folder=str(folder)) for one in held if one.fault is None]
         else:
@@ -173,7 +170,7 @@ def _in_folder(
 
 
 def _in_archive(file: Path, window: str, argument: str) -> list[Input]:
-    """Stand a zip archive for its recordings, as a folder does."""
+    """Stand an archive for its recordings, as a folder does."""
     from leitmotion.io.containers import is_doubtful, nothing_in, recordings_in
     from leitmotion.motion import LeitmotionError
 

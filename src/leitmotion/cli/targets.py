@@ -78,7 +78,7 @@ def identity(path: Path) -> str:
 
 def _place(given: Input, *, several: bool) -> Path:
     """Where an input stands under the folder that was named, without ending."""
-    from leitmotion.io.containers import on_disk
+    from leitmotion.io.containers import archive_name, on_disk
 
     if not given.folder:
         return Path(given.name)
@@ -88,9 +88,11 @@ def _place(given: Input, *, several: bool) -> Path:
         root,
         given.path,
     ):  # what an archive in the folder holds stands in a folder of its name
-        beneath = os.path.relpath(archive.with_suffix("") / given.path.parent.relative_to(archive), root)
+        beneath = os.path.relpath(
+            archive.with_name(archive_name(archive)) / given.path.parent.relative_to(archive), root
+        )
     own = root.resolve()
-    top = own.stem if archive == root else own.name
+    top = archive_name(own) if archive == root else own.name
     return Path(top) / beneath / given.name if several else Path(beneath) / given.name
 
 

@@ -1,51 +1,32 @@
-"""Recordings within other files: compressed by gzip, bzip2 or xz, and members of zip archives.
+"""Recordings within other files: compressed by gzip, bzip2 or xz, and members of zip and tar archives.
 
-An *address* is a path that may go on inside a zip archive, ``pack.zip/inner/clip.bvh``. What is packed is told by how
-it begins, not by its name, and never unpacked to the disk. How large it becomes is counted while it is unpacked: what a
-header promises may be false.
+An *address* is a path that may go on inside an archive, ``pack.zip/inner/clip.bvh``. What is packed is told by how it
+begins, and not unpacked beside itself. How large it becomes is counted while it is unpacked: what a header promises may
+be false.
 """
 
 from __future__ import annotations
 
-import bz2
 import difflib
-import gzip
-import io
-import lzma
 import os
 import struct
 import zipfile
-import zlib
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Collection, Iterator
 from contextlib import contextmanager
 from functools import lru_cache
 from pathlib import Path, PurePosixPath
 from typing import NamedTuple
 
+from leitmotion.io import compression, tape
 from leitmotion.io.companions import represented
-from leitmotion.io.files import LARGEST, read_bytes
+from leitmotion.io.files import read_bytes
 from leitmotion.io.formats import DOUBTFUL, EXTENSIONS, readable
 from leitmotion.motion import DataError, FormatError
 
-_COMPRESSED = (".gz", ".bz2", ".xz")
-_TAPES = (".tar", ".tgz", ".tbz2", ".txz")  # not read, and not unpacked in order to say so
 _ZIP = b"PK\x03\x04"
-_PIECE = 1 << 20
-_ROOM = 64 << 20  # bytes to which anything may unpack
-_GROWTH = 25  # by how much it may grow beyond; a text of numbers grows three to tenfold
-_DICTIONARY = 256 << 20  # bytes that xz may take for itself
 _NAMED = 8  # recordings that a sentence names
 
-_DAMAGE = (
-    zipfile.BadZipFile,
-    gzip.BadGzipFile,
-    zlib.error,
-    lzma.LZMAError,
-    EOFError,
-    OSError,
-    ValueError,
-    struct.error,
-)
+_DAMAGE = (zipfile.BadZipFile, struct.error, *compression.DAMAGE, *tape.DAMAGE)
 """What the standard library raises of what is damaged."""
 
 
@@ -55,7 +36,7 @@ def read_file(path: Path) -> tuple[Path, bytes]:
     Parameters
     ----------
     path : Path
-        A file, or an address in a zip archive. The archive itself stands for the one recording in it.
+        A file, or an address in an archive. The archive itself stands for the one recording in it.
 
     Returns
     -------
@@ -75,7 +56,7 @@ def read_file(path: Path) -> tuple[Path, bytes]:
         inside = path.relative_to(file).as_posix()
     content = _member(file, inside) if inside else read_bytes(file)
     name = bare(path)
-    if name.suffix.lower() not in _TAPES:
+    if name.suffix.lower() not in tape.ENDINGS:
         content = _unpacked(path, content)
     if _looks_packed(name, content[:256]):
         raise FormatError(
@@ -94,7 +75,7 @@ def bare(path: Path) -> Path:
     >>> bare(Path("dance.bvh.gz")).name, bare(Path("dance.bvh")).name
     ('dance.bvh', 'dance.bvh')
     """
-    return path.with_suffix("") if path.suffix.lower() in _COMPRESSED else path
+    return path.with_suffix("") if path.suffix.lower() in compression.ENDINGS else path
 
 
 def on_disk(path: Path) -> Path:
@@ -120,20 +101,38 @@ def listing(folder: Path) -> list[Path]:
 
 
 def is_archive(path: Path) -> bool:
-    """Whether a file is a zip archive that stands for the recordings in it, as a folder does."""
+    """Whether a file is an archive that stands for the recordings in it, as a folder does."""
     if not os.path.isfile(path):
         return False
-    if path.suffix.lower() == ".zip":
+    if is_called_archive(path):
         return True
     try:
         with path.open("rb") as file:
-            return _looks_packed(path, file.read(256))
+            if _looks_packed(path, file.read(256)):
+                return True
+        return not _is_known(bare(path)) and tape.is_tape(path)
     except OSError:
         return False
 
 
+def is_called_archive(path: Path) -> bool:
+    """Whether a file is an archive by its name.
+
+    Examples
+    --------
+    >>> [is_called_archive(Path(name)) for name in ("a.zip", "a.tar.xz", "a.tgz", "a.bvh.gz")]
+    [True, True, True, False]
+    """
+    return path.suffix.lower() == ".zip" or bare(path).suffix.lower() in tape.ENDINGS
+
+
+def archive_name(path: Path) -> str:
+    """Name an archive without its ending: ``pack.tar.xz`` is called ``pack``."""
+    return bare(path).stem
+
+
 def recordings_in(file: Path) -> list[Path]:
-    """List the addresses of the recordings in a zip archive, in the order in which a folder lists its files.
+    """List the addresses of the recordings in an archive, in the order in which a folder lists its files.
 
     Parameters
     ----------
@@ -167,7 +166,7 @@ def is_doubtful(path: Path) -> bool:
 
 
 def nothing_in(file: Path) -> DataError:
-    """Make the error that says that a zip archive holds no recordings, and what it does hold."""
+    """Make the error that says that an archive holds no recordings, and what it does hold."""
     endings = sorted({Path(name).suffix.lower() for name in _members(file)} - {""})
     held = f", but files ending in {', '.join(endings[:_NAMED])}" if endings else ""
     return DataError(
@@ -191,7 +190,7 @@ def _is_known(path: Path) -> bool:
 
 
 def _looks_packed(path: Path, head: bytes) -> bool:
-    """Whether a file is a zip archive and none of the formats that are zip archives themselves, as ``.npz`` is."""
+    """Whether a file is an archive and none of the formats that are zip archives themselves, as ``.npz`` is."""
     if not head.startswith(_ZIP) or _is_known(path):
         return False
     (length,) = struct.unpack_from("<H", head.ljust(30, b"\0"), 26)
@@ -219,30 +218,39 @@ def _the_one(file: Path) -> Path:
 
 
 class _Archive(NamedTuple):
-    """An open zip archive, and the files in it by name."""
+    """An open archive, and the files in it by name."""
 
-    box: zipfile.ZipFile
-    members: dict[str, zipfile.ZipInfo]
+    read: Callable[[str], bytes]
+    """Unpacks one of them."""
+    members: Collection[str]
     folders: dict[Path, list[Path]]
     """The addresses of the files in each folder."""
 
 
-@lru_cache(maxsize=1)  # the frames of a clip may be thousands of members, and all are named in one place
+@lru_cache(
+    maxsize=4
+)  # the frames of a clip may be thousands of members, and pairs are often of several archives
 def _opened(file: Path, _version: tuple[int, ...]) -> _Archive:
-    box = zipfile.ZipFile(file)
-    members = {info.filename.replace("\\", "/"): info for info in box.infolist()}
-    for name in members:
+    with file.open("rb") as opened:
+        zipped = opened.read(4) == _ZIP or file.suffix.lower() == ".zip"
+    if zipped:
+        box = zipfile.ZipFile(file)
+        infos = {info.filename.replace("\\", "/"): info for info in box.infolist()}
+        names, read = list(infos), lambda name: _of_zip(box, infos[name], file)
+    else:
+        held = tape.open_tape(file)
+        names, read = list(held.members), held.read
+    for name in names:
         if name.startswith("/") or ".." in name.split("/") or "\0" in name:
-            box.close()
             raise FormatError(
                 f"{file.name} names a file outside itself, {name!r}, and was not read.",
                 remedy="Get it from somewhere else.",
             )
-    held = {name: info for name, info in members.items() if not _is_junk(name)}
+    members = dict.fromkeys(name for name in names if not _is_junk(name))
     folders: dict[Path, list[Path]] = {}
-    for name in held:
+    for name in members:
         folders.setdefault((file / name).parent, []).append(file / name)
-    return _Archive(box, held, folders)
+    return _Archive(read, members, folders)
 
 
 @contextmanager
@@ -258,8 +266,9 @@ def _archive(file: Path) -> Iterator[_Archive]:
             f"{file.name} is packed in a way that is not read: {error}.", remedy="Unpack it first."
         ) from None
     except (*_DAMAGE, RuntimeError) as error:
+        kind = "tar" if bare(file).suffix.lower() in tape.ENDINGS else "zip"
         raise FormatError(
-            f"{file.name} is no zip archive or is damaged: {error}.",
+            f"{file.name} is no {kind} archive or is damaged: {error}.",
             remedy="Was it copied or downloaded completely?",
         ) from None
 
@@ -271,7 +280,7 @@ def _is_junk(name: str) -> bool:
     )
 
 
-def _members(file: Path) -> dict[str, zipfile.ZipInfo]:
+def _members(file: Path) -> Collection[str]:
     with _archive(file) as archive:
         return archive.members
 
@@ -279,77 +288,39 @@ def _members(file: Path) -> dict[str, zipfile.ZipInfo]:
 def _member(file: Path, inside: str) -> bytes:
     if not is_archive(file):
         raise FormatError(
-            f"There is no file {file / inside}: {file.name} is a file, not a folder, and no zip archive.",
+            f"There is no file {file / inside}: {file.name} is a file, not a folder, and no archive.",
             remedy="Unpack it into a folder of that name, or name a file that is there.",
         )
     members = _members(file)
-    info = members.get(inside)
-    if info is None:
+    if inside not in members:
         near = difflib.get_close_matches(inside, list(members), n=3, cutoff=0.5)
         raise FormatError(
             f"There is no {inside} in {file}.", remedy=f"Did you mean {' or '.join(near)}?" if near else ""
         )
+    with _archive(file) as archive:
+        return archive.read(inside)
+
+
+def _of_zip(box: zipfile.ZipFile, info: zipfile.ZipInfo, file: Path) -> bytes:
+    name = info.filename
     if info.flag_bits & 1:
-        raise FormatError(f"{inside} in {file.name} is encrypted.", remedy="Unpack it first.")
-    with _archive(file) as archive, archive.box.open(info) as stream:
-        content = _joined(_pieces(stream.read), info.compress_size, inside)
-        if len(content) != info.file_size:
-            raise zipfile.BadZipFile(f"{inside} states {info.file_size} bytes and has {len(content)}")
-        return content
+        raise FormatError(f"{name} in {file.name} is encrypted.", remedy="Unpack it first.")
+    with box.open(info) as stream:
+        parts = compression.pieces_of(stream.read)
+        content = b"".join(compression.bounded(parts, info.compress_size, name))
+    if len(content) != info.file_size:
+        raise zipfile.BadZipFile(f"{name} states {info.file_size} bytes and has {len(content)}")
+    return content
 
 
 def _unpacked(path: Path, content: bytes) -> bytes:
     """Undo a compression, if there is one."""
-    for mark, undo in _UNDO.items():
-        if content.startswith(mark):
-            try:
-                return _joined(undo(content), len(content), path.name)
-            except FormatError:
-                raise
-            except _DAMAGE as error:
-                raise FormatError(
-                    f"{path.name} is damaged where it is compressed: {error}.",
-                    remedy="Was it copied or downloaded completely?",
-                ) from None
-    return content
-
-
-def _joined(pieces: Iterator[bytes], packed: int, name: str) -> bytes:
-    """Put the pieces together, unless they become more than a recording packed so small ever does."""
-    most = min(_ROOM + _GROWTH * packed, LARGEST)
-    kept, size = [], 0
-    for piece in pieces:
-        kept.append(piece)
-        size += len(piece)
-        if size > most:
-            raise FormatError(
-                f"{name} unpacks to more than {most / 1e6:.0f} MB, and a recording packed into {packed / 1e6:.3g} MB "
-                "does not.",
-                remedy="Unpack it first if you trust it.",
-            )
-    return b"".join(kept)
-
-
-def _pieces(read: Callable[[int], bytes]) -> Iterator[bytes]:
-    while piece := read(_PIECE):
-        yield piece
-
-
-def _undo_xz(content: bytes) -> Iterator[bytes]:
-    """What xz has compressed; its own files know no bound for the memory that a header asks for."""
-    while content:
-        undo = lzma.LZMADecompressor(memlimit=_DICTIONARY)
-        yield undo.decompress(content, _PIECE)
-        while not undo.eof:
-            if undo.needs_input:
-                raise EOFError("it ends too early")
-            yield undo.decompress(b"", _PIECE)
-        content = undo.unused_data.lstrip(b"\0")  # one stream may follow another
-
-
-_UNDO: dict[bytes, Callable[[bytes], Iterator[bytes]]] = {
-    b"\x1f\x8b": lambda content: _pieces(gzip.GzipFile(fileobj=io.BytesIO(content)).read),
-    b"BZh": lambda content: _pieces(bz2.BZ2File(io.BytesIO(content)).read),
-    b"\xfd7zXZ\0": _undo_xz,
-}
-"""What a compressed file begins with, and the pieces of what is in it."""
+    try:
+        return b"".join(compression.bounded(compression.pieces(content), len(content), path.name))
+    except FormatError:
+        raise
+    except compression.DAMAGE as error:
+        raise FormatError(
+            f"{path.name} is damaged where it is compressed: {error}.",
+            remedy="Was it copied or downloaded completely?",
+        ) from None

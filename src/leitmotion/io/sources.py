@@ -2,7 +2,7 @@
 
 A source is a path, or a path and a window in brackets: ``clip.bvh[12s:45s]`` in seconds, ``clip.bvh[100:400]`` in
 frames, half-open, either end left out. A file whose name really ends in brackets wins over the window. The path may
-go on inside a zip archive, ``pack.zip/clip.bvh``.
+go on inside a zip or tar archive, ``pack.zip/clip.bvh``.
 """
 
 from __future__ import annotations
@@ -42,7 +42,7 @@ def read(
     ----------
     source : str or path
         A file, or a file and a window: ``"clip.bvh[12s:45s]"``, ``"clip.bvh[100:400]"``. It may be compressed
-        (``"clip.bvh.gz"``), a zip archive of one recording, or a file in one: ``"pack.zip/clip.bvh"``. A folder with
+        (``"clip.bvh.gz"``), an archive of one recording, or a file in one: ``"pack.zip/clip.bvh"``. A folder with
         the poses of one recording, a file a frame as OpenPose writes them, is a file, too.
     skeleton : str or path, optional
         The ASF of an AMC; else it is looked for beside the AMC and above.
