@@ -162,12 +162,14 @@ def test_what_is_compared_has_a_name(session: lm.datasets.Session, tmp_path: Pat
     piece = session.motion[300:700]
     assert lm.find_patterns(piece, features="posture") == lm.find_patterns(piece)
     with pytest.raises(
-        lm.ParameterError, match=r"never measured for marker_posture\. Say it with max_distance="
+        lm.ParameterError, match=r"never measured for marker_posture\. Say it with --max-distance"
     ):
         lm.find_patterns(marker_file(), features="marker_posture")
     with pytest.raises(lm.ParameterError, match="Did you mean velocity"):
         lm.find_patterns(piece, features="velocities")
-    with pytest.raises(lm.ParameterError, match="describes Trajectories, got Motion"):
+    with pytest.raises(
+        lm.ParameterError, match="compares the markers of a recording, and this is a skeleton"
+    ):
         lm.find_patterns(piece, features="marker_posture", method="tang2008")
     with pytest.raises(lm.ParameterError, match="must be one of equal, active, got 'heavy'"):
         lm.find_patterns(piece, weights="heavy")

@@ -381,7 +381,8 @@ def _search(
         if alike is None:
             raise ParameterError(
                 f"What counts as alike was never measured for {name}.",
-                remedy="Say it with max_distance=, in the values of the features; calibrate tells it from labels.",
+                remedy="Say it with --max-distance (max_distance= in Python), in the values of the features; "
+                "calibrate tells it from labels.",
             )
         if isinstance(alike, Real):
             options = {"max_distance": alike, "min_amplitude": float(alike) / 5} | options

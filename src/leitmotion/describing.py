@@ -10,6 +10,7 @@ from leitmotion.body import ROLES, Body, BodyMap, embody
 from leitmotion.features import FEATURES, FeatureSequence, active_weights, extract, weighted
 from leitmotion.features.posture import choose_roles
 from leitmotion.motion import Motion, ParameterError, Trajectories
+from leitmotion.motion.errors import in_short
 
 Recording = Motion | Trajectories | Body
 Roles = BodyMap | Mapping[str, str | list[str]]
@@ -138,9 +139,12 @@ def _matching(names: str | Sequence[str], known: Sequence[str]) -> tuple[str, ..
     for name in given:
         if not any(fnmatch.fnmatchcase(role, name) for role in known):
             near = difflib.get_close_matches(name, known, n=1)
+            most = (
+                len(ROLES) if set(known) <= set(ROLES) else 8
+            )  # roles are few, the points of a file may be many
             hint = f"Did you mean {near[0]}? " if near else ""
             raise ParameterError(
                 f"The body has no joint {name!r} to compare.",
-                remedy=f"{hint}It has {', '.join(dict.fromkeys(known))}.",
+                remedy=f"{hint}It has {in_short(dict.fromkeys(known), most=most)}.",
             )
     return tuple(role for role in known if any(fnmatch.fnmatchcase(role, name) for name in given))

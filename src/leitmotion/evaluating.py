@@ -13,7 +13,11 @@ import numpy as np
 from leitmotion import io
 from leitmotion.discovery.pattern import Patterns
 from leitmotion.evaluation import FoundPatterns, PatternScores, PatternTruth, evaluate_patterns, pool
+from leitmotion.io.annotation_table import named, recordings_of_table
+from leitmotion.io.containers import read_file
+from leitmotion.io.dataset_labels import decoded
 from leitmotion.motion import DataError, FormatError, ParameterError, Segmentation
+from leitmotion.motion.errors import in_short
 
 TASKS = ("patterns",)
 FILES_OF_TRUTH = (".csv", ".tsv", ".json", ".eaf", ".txt")
@@ -32,6 +36,13 @@ class Judged(NamedTuple):
     """Length of the recording, or how far truth and answer reach where it is not told."""
     truth: PatternTruth
     scores: PatternScores
+    about: str = ""
+    """What the truth calls its recording; empty where it does not."""
+
+    @property
+    def of_another(self) -> bool:
+        """Whether truth and answer call their recordings by names that no one recording has."""
+        return bool(self.about and self.recording) and not named([self.about], self.recording)
 
 
 def evaluate(
@@ -116,7 +127,11 @@ def judged(
     told = rate or (None if file.is_dir() else io.rate_of(file))
     answers = _answers(found, told)
     if len(answers) > 1 and trial is not None:
-        raise ParameterError(f"trial= belongs to one answer, but there are {len(answers)}.")
+        raise ParameterError(
+            f"One recording of the truth is named, {trial}, but {_called(found)} holds answers about {len(answers)}: "
+            f"{in_short([recording for recording, _, _ in answers])}.",
+            remedy="Leave --trial (trial= in Python) out, or give the answer about that recording alone.",
+        )
     results = []
     for recording, frames, answer in answers:
         place = _file_of(file, recording)
@@ -124,7 +139,10 @@ def judged(
             place, rate=answer.rate, frames=frames, trial=trial or recording, tier=tier, ignore=ignore
         )
         reach = int(max(seen.runs.stops.max(), answer.occurrences.stops.max(initial=1)))
-        results.append(Judged(recording, place, frames or reach, seen, evaluate_patterns(seen, answer)))
+        about = _told_of(place, trial)
+        results.append(
+            Judged(recording, place, frames or reach, seen, evaluate_patterns(seen, answer), about)
+        )
     return results
 
 
@@ -228,6 +246,21 @@ def _answers(
         (one.recording, one.frames, FoundPatterns(one.occurrences, one.pairs))
         for one in io.read_answers(path, rate=rate)
     ]
+
+
+def _told_of(truth: Path, trial: str | None) -> str:
+    """What the truth calls the recording that is judged: as was said, else as the one in a table."""
+    if trial is not None or truth.suffix.lower() not in (".csv", ".tsv"):
+        return trial or ""
+    try:
+        told = recordings_of_table(decoded(read_file(truth)[1]), truth)
+    except FormatError:  # of another layout, which names none
+        return ""
+    return told[0] if len(told) == 1 else ""
+
+
+def _called(found: Patterns | FoundPatterns | str | PathLike[str]) -> str:
+    return Path(found).name if isinstance(found, str | PathLike) else "it"
 
 
 def _file_of(truth: Path, recording: str) -> Path:

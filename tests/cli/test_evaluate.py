@@ -94,3 +94,29 @@ def test_what_is_not_known_and_what_lies_beyond_the_truth_is_told(judged):
     assert "whether jump recurs within its one run is not known" in told.stderr
     assert "The truth ends at 3.80 s of" in told.stderr
     assert judged("evaluate", "patterns", "short.csv", "found.json", "-q").stderr == ""
+
+
+TWO = "recording,start_s,stop_s,label\na.bvh,0.5,6,jump\na.bvh,6.1,6.2,rest\nb.bvh,0.5,6,jump\n"
+
+
+def test_a_truth_of_another_recording_is_told_by_both_names(judged):
+    Path("two.csv").write_text(TWO, encoding="utf-8")
+    Path("one.csv").write_text(TWO.rpartition("b.bvh")[0], encoding="utf-8")
+    for truth, *trial in (("two.csv", "--trial", "a.bvh"), ("one.csv",), ("labels.csv", "--trial", "a.bvh")):
+        told = judged("evaluate", "patterns", truth, "found.json", *trial)
+        assert told.exit_code == 0
+        assert f"jacks.bvh was judged by what {truth} tells of a.bvh: are they one recording?" in told.stderr
+    own = Path("one.csv").read_text(encoding="utf-8").replace("a.bvh", "elsewhere/jacks.amc")
+    Path("one.csv").write_text(own, encoding="utf-8")
+    assert "was judged by" not in judged("evaluate", "patterns", "one.csv", "found.json").stderr
+
+
+def test_which_recording_is_meant_is_asked_with_the_names_that_there_are(judged, made):
+    Path("two.csv").write_text(TWO, encoding="utf-8")
+    asked = judged("evaluate", "patterns", "two.csv", "found.json").stderr
+    assert "expected the stretches of one recording, found those of 2, none of them named " in asked
+    assert "jacks.bvh: a.bvh, b.bvh. Keep the rows of one, or say which: --trial NAME" in asked
+    judged("patterns", made / "jacks.bvh", made / "once.bvh", "-o", "both.json")
+    asked = judged("evaluate", "patterns", "two.csv", "both.json", "--trial", "a.bvh").stderr
+    assert "One recording of the truth is named, a.bvh, but both.json holds answers about 2: " in asked
+    assert "once.bvh. Leave --trial (trial= in Python) out" in asked

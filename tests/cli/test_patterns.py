@@ -11,6 +11,7 @@ import pytest
 
 import leitmotion as lm
 from cli.conftest import Run
+from leitmotion.motion import Trajectories
 
 
 def test_the_answer_comes_first(run: Run, made: Path) -> None:
@@ -351,3 +352,23 @@ def test_nothing_missed_is_an_answer(run: Run) -> None:
     assert told.stdout.endswith(
         "Of 3.0 s in 1 stretch left over by the patterns, nothing moves like anything else there.\n"
     )
+
+
+def test_features_that_a_recording_does_not_have_are_refused_in_words(run: Run, made: Path) -> None:
+    told = run("patterns", made / "jacks.bvh", "--features", "marker_posture")
+    assert told.stderr == (
+        "Error: The feature marker_posture compares the markers of a recording, and this is a skeleton. Compare one of "
+        "posture, velocity, joint_angles.\n"
+    )
+
+
+@pytest.mark.parametrize("features", ["joint_angles", "marker_posture"])
+def test_of_many_points_without_a_role_the_first_are_named(run: Run, features: str) -> None:
+    rng = np.random.default_rng(0)
+    points = Trajectories([f"P{k}" for k in range(40)], rng.normal(size=(90, 40, 3)), rate=30.0)
+    lm.write(points, "cloud.csv")
+    told = run("patterns", "cloud.csv", "--features", features)
+    assert told.exit_code == 1
+    assert "P7 and 32 more. " in told.stderr
+    assert len(told.stderr) < 300
+    assert "P9" not in told.stderr

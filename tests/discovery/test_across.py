@@ -222,7 +222,7 @@ def test_other_features_may_be_compared():
     assert found.parameters["feature"] == "joint_angles"
     assert found.parameters["unit"] == "rad"
     assert found.shared
-    with pytest.raises(ParameterError, match="describes Trajectories, got Motion"):
+    with pytest.raises(ParameterError, match="compares the markers of a recording, and this is a skeleton"):
         lm.find_shared_patterns([session, session], features="marker_posture")
 
 

@@ -51,9 +51,11 @@ def test_errors_help(rng):
     motion = human(rng)
     with pytest.raises(ParameterError, match="Did you mean posture"):
         extract("postures", motion)
-    with pytest.raises(ParameterError, match="describes Motion, got Trajectories"):
+    with pytest.raises(
+        ParameterError, match="compares how a skeleton's joints are turned, and this is points alone"
+    ):
         extract("joint_rotations", points_of(motion))
-    with pytest.raises(ParameterError, match="describes Body, got ndarray"):
+    with pytest.raises(ParameterError, match="compares a body, and this is ndarray"):
         extract("posture", np.zeros(3))
     for name, source in (("posture", motion), ("posture", embody(motion)), ("joint_rotations", motion)):
         with pytest.raises(ParameterError, match=f"feature {name} has no option 'foo'; it has .*roles"):

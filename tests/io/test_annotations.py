@@ -139,7 +139,7 @@ def test_the_aca_layout_gives_ends_counted_from_one(tmp_path):
     at_60 = read(tmp_path, "mocap.txt", ACA, trial="86_01", rate=60)
     assert at_60.stops.tolist() == [275, 575]
     for trial in (None, "86_03"):
-        with pytest.raises(ParameterError, match=r"it holds 86_01, 86_02: choose one with trial="):
+        with pytest.raises(ParameterError, match=r"it holds 86_01, 86_02. Choose one with --trial NAME"):
             read(tmp_path, "mocap.txt", ACA, trial=trial)
 
 

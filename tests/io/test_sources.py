@@ -121,6 +121,12 @@ def test_what_is_no_recording_is_one_sentence(tmp_path, name, content, match):
     assert "\n" not in str(caught.value)
 
 
+def test_names_that_share_an_ending_alone_are_not_near(clip):
+    with pytest.raises(FormatError) as caught:
+        io.read(clip.with_name("ship_a.csv"))
+    assert caught.value.remedy == ""
+
+
 def test_missing_files_suggest_near_names(clip):
     with pytest.raises(FormatError, match=r"There is no file .*clop\.csv\. Did you mean clip\.csv\?"):
         io.read(clip.with_name("clop.csv"))

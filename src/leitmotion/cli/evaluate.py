@@ -158,6 +158,10 @@ def _recording(one: Judged) -> Document:
 def _warnings(results: Sequence[Judged]) -> list[str]:
     notes = []
     for one in results:
+        if one.of_another:
+            notes.append(
+                f"{one.recording} was judged by what {one.file.name} tells of {one.about}: are they one recording?"
+            )
         of = f" of {one.recording}" if len(results) > 1 else ""
         if one.truth.uncertain:
             notes.append(

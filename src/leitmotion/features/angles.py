@@ -20,6 +20,7 @@ import numpy as np
 from leitmotion.body import Body
 from leitmotion.features.sequence import FeatureSequence
 from leitmotion.motion import DataError
+from leitmotion.motion.errors import in_short
 
 LIMBS = (("shoulder", "elbow", "wrist"), ("hip", "knee", "ankle"))
 REST = np.array([1.0, -1.0, 1.0]) / np.sqrt(3.0)  # of the left side
@@ -105,8 +106,8 @@ def _frames(at: dict[str, np.ndarray]) -> tuple[np.ndarray, np.ndarray]:
     if missing or not lines:
         what = missing[0] if missing else "pair of hips or shoulders"
         raise DataError(
-            f"Joint angles are seen from the trunk, but the body has no {what}.",
-            remedy=f"It has {', '.join(at)}.",
+            f"Joint angles are seen from the trunk, but no {what} is known among {in_short(at)}.",
+            remedy="Name it in a map file, --map FILE (body_map= in Python), or compare posture.",
         )
     up = _unit(at["neck"] - at["pelvis"])
     hips, shoulders = (lines.get(joint, next(iter(lines.values()))) for joint in ("hip", "shoulder"))

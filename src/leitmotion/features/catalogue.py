@@ -84,6 +84,17 @@ FEATURES = {
 }
 """The features by name."""
 
+_WANTED = {
+    Body: "a body",
+    Motion: "how a skeleton's joints are turned",
+    Trajectories: "the markers of a recording",
+}
+_HELD = {
+    Body: "a body, which keeps only the places of its joints",
+    Motion: "a skeleton",
+    Trajectories: "points alone",
+}
+
 
 def extract(
     name: str,
@@ -132,8 +143,10 @@ def extract(
     if feature.takes is Body and isinstance(source, Motion | Trajectories):
         source, body_map = embody(source, body_map), None
     if not isinstance(source, feature.takes):
+        held = _HELD.get(type(source), type(source).__name__)
         raise ParameterError(
-            f"The feature {name} describes {feature.takes.__name__}, got {type(source).__name__}."
+            f"The feature {name} compares {_WANTED[feature.takes]}, and this is {held}.",
+            remedy=f"Compare one of {', '.join(key for key, one in FEATURES.items() if one.takes is Body)}.",
         )
     known = list(inspect.signature(feature.compute).parameters)[1:]
     if body_map is not None:

@@ -16,6 +16,7 @@ from leitmotion.body import find_roles
 from leitmotion.features.posture import turn_to_front
 from leitmotion.features.sequence import FeatureSequence
 from leitmotion.motion import DataError, ParameterError, Trajectories
+from leitmotion.motion.errors import in_short
 
 MID_BACK = ("T10", "BACK", "SPINE", "MBAK", "V.SACRAL", "VSAC", "SACR")
 """Names of the marker in the middle of the back, in small or capital letters, in the order of preference."""
@@ -106,8 +107,9 @@ def _members(markers: Trajectories, role: str, argument: str) -> tuple[str, ...]
     found = find_roles(markers)
     if role not in found.roles:
         raise DataError(
-            f"No marker for the {role.replace('_', ' ')} can be told from {', '.join(markers.names)}.",
-            remedy=f"Name the markers with {argument}=.",
+            f"Marker postures are turned by the trunk, and no marker for the {role.replace('_', ' ')} is known among "
+            f"{in_short(markers.names)}.",
+            remedy=f"Compare posture: --features posture. In Python the marker can be named with {argument}=.",
         )
     return found.members[found.roles.index(role)]
 
@@ -117,6 +119,6 @@ def _mean(markers: Trajectories, members: Sequence[str]) -> np.ndarray:
     if missing or not members:
         raise ParameterError(
             f"The recording has no marker {missing[0] if missing else ''!r}.",
-            remedy=f"It has {', '.join(markers.names)}.",
+            remedy=f"It has {in_short(markers.names)}.",
         )
     return markers.positions[:, [markers.names.index(name) for name in members]].mean(axis=1)

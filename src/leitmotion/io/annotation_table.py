@@ -10,6 +10,7 @@ from typing import Any
 
 from leitmotion.io.dataset_labels import Row
 from leitmotion.motion import FormatError
+from leitmotion.motion.errors import in_short
 
 Lines = list[tuple[int, list[str]]]
 
@@ -90,10 +91,11 @@ def _of_trial(names: list[str], lines: Lines, trial: str | None, path: Path) -> 
         return lines
     mine = named(held, trial) if trial else []
     if len(mine) != 1:
+        those = (f", {'none' if not mine else len(mine)} of them named {trial}") if trial else ""
         raise FormatError(
-            f"{path.name}: expected the stretches of one recording, found those of {len(held)}"
-            + (f", {len(mine)} of them named {trial}." if trial else "."),
-            remedy="Keep the rows of this recording, or name it: --trial NAME, or trial=.",
+            f"{path.name}: expected the stretches of one recording, found those of {len(held)}{those}: "
+            f"{in_short(held)}.",
+            remedy="Keep the rows of one, or say which: --trial NAME (trial= in Python).",
         )
     return [
         (number, cells) for number, cells in lines if place < len(cells) and cells[place].strip() == mine[0]

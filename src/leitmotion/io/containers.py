@@ -22,9 +22,9 @@ from leitmotion.io.companions import represented
 from leitmotion.io.files import read_bytes
 from leitmotion.io.formats import DOUBTFUL, EXTENSIONS, readable
 from leitmotion.motion import DataError, FormatError
+from leitmotion.motion.errors import in_short
 
 _ZIP = b"PK\x03\x04"
-_NAMED = 8  # recordings that a sentence names
 
 _DAMAGE = (zipfile.BadZipFile, struct.error, *compression.DAMAGE, *tape.DAMAGE)
 """What the standard library raises of what is damaged."""
@@ -168,7 +168,7 @@ def is_doubtful(path: Path) -> bool:
 def nothing_in(file: Path) -> DataError:
     """Make the error that says that an archive holds no recordings, and what it does hold."""
     endings = sorted({Path(name).suffix.lower() for name in _members(file)} - {""})
-    held = f", but files ending in {', '.join(endings[:_NAMED])}" if endings else ""
+    held = f", but files ending in {in_short(endings)}" if endings else ""
     return DataError(
         f"{file.name} holds no recordings{held}.",
         remedy=f"It was searched for files ending in {', '.join(readable())}.",
@@ -210,9 +210,8 @@ def _the_one(file: Path) -> Path:
     names = [path.relative_to(file).as_posix() for path in sure or found]
     if not names:
         raise nothing_in(file)
-    more = f" and {len(names) - _NAMED} more" if len(names) > _NAMED else ""
     raise DataError(
-        f"{file.name} holds {len(names)} recordings: {', '.join(names[:_NAMED])}{more}.",
+        f"{file.name} holds {len(names)} recordings: {in_short(names)}.",
         remedy=f"Name one of them, such as {file / names[0]}.",
     )
 

@@ -9,6 +9,7 @@ import re
 from pathlib import Path
 
 from leitmotion.motion import FormatError, ParameterError
+from leitmotion.motion.errors import in_short
 
 Row = tuple[float, float, str, float]  # start and stop in frames, label, score
 Span = tuple[float, float]  # start and stop in frames
@@ -74,7 +75,8 @@ def _aca_block(text: str, trial: str | None, path: Path) -> list[tuple[str, floa
     if wanted not in blocks:
         asked = f"no trial {trial!r}" if trial else "several trials"
         raise ParameterError(
-            f"{path.name} holds {asked}; it holds {', '.join(blocks)}: choose one with trial=."
+            f"{path.name} holds {asked}; it holds {in_short(list(blocks))}.",
+            remedy="Choose one with --trial NAME (trial= in Python).",
         )
     return blocks[wanted]
 

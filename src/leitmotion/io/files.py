@@ -73,12 +73,13 @@ def _suggest(path: Path) -> str:
         names = os.listdir(path.parent)
     except (OSError, ValueError):
         return f"There is no folder {path.parent} either."
-    lower = {name.lower(): name for name in names}
+    # the ending, which is alike for most, says nothing about how alike two names are
+    stems: dict[str, list[str]] = {}
+    for name in sorted(names, key=lambda name: (Path(name).suffix.lower() != path.suffix.lower(), name)):
+        stems.setdefault(Path(name).stem.lower(), []).append(name)
     near = [
-        lower[name] for name in difflib.get_close_matches(path.name.lower(), list(lower), n=3, cutoff=0.6)
+        stems[stem][0] for stem in difflib.get_close_matches(path.stem.lower(), list(stems), n=3, cutoff=0.7)
     ]
-    if not near:
-        near = sorted(name for name in names if Path(name).stem.lower() == path.stem.lower())[:3]
     return f"Did you mean {' or '.join(near)}?" if near else ""
 
 

@@ -11,6 +11,10 @@ The message tells what was expected, what was found and where; `remedy` tells wh
 file or its name holds.
 """
 
+from __future__ import annotations
+
+from collections.abc import Collection
+
 _LONGEST = 800  # characters of a sentence
 
 
@@ -34,6 +38,30 @@ def in_one_line(text: str) -> str:
     """
     line = "".join(mark if mark.isprintable() else repr(mark)[1:-1] for mark in text)
     return line if len(line) <= _LONGEST else f"{line[: _LONGEST - 1]}…"
+
+
+def in_short(names: Collection[str], *, most: int = 8) -> str:
+    """List names for a sentence, of many the first.
+
+    Parameters
+    ----------
+    names : collection of str
+        What there is.
+    most : int
+        How many are named.
+
+    Returns
+    -------
+    str
+        The names.
+
+    Examples
+    --------
+    >>> in_short(["a", "b"]), in_short(["a", "b", "c", "d"], most=2)
+    ('a, b', 'a, b and 2 more')
+    """
+    named = ", ".join(list(names)[:most])
+    return f"{named} and {len(names) - most} more" if len(names) > most else named
 
 
 class LeitmotionError(Exception):
