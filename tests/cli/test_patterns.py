@@ -1,9 +1,11 @@
 """``leitmotion patterns``: the answer first, then where."""
 
 import csv
+import inspect
 import io
 import json
 import re
+from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
@@ -372,3 +374,52 @@ def test_of_many_points_without_a_role_the_first_are_named(run: Run, features: s
     assert "P7 and 32 more. " in told.stderr
     assert len(told.stderr) < 300
     assert "P9" not in told.stderr
+
+
+@pytest.mark.parametrize(
+    ("option", "value", "remark"),
+    [
+        (
+            "--max-distance",
+            "100",
+            "100 is far above the default, 0.054 body sizes: nearly all moments count as alike",
+        ),
+        (
+            "--max-distance",
+            "0.0001",
+            "0.0001 is far below the default, 0.054 body sizes: hardly any two moments",
+        ),
+        ("--max-distance", "0.08", ""),
+        ("--threshold", "5", "5 is far above the default, 0.26 of the largest distance"),
+        ("--threshold", "0.2", ""),
+    ],
+)
+def test_what_is_far_from_usual_is_remarked(
+    run: Run, made: Path, option: str, value: str, remark: str
+) -> None:
+    method = ("--method", "tang2008") if option == "--threshold" else ()
+    told = run("patterns", made / "jacks.bvh", option, value, *method, "--json")
+    warnings = json.loads(told.stdout)["warnings"]
+    assert any(remark in each for each in warnings) if remark else warnings == []
+
+
+def test_the_help_names_the_defaults_that_are(run: Run) -> None:
+    from leitmotion.discovery.across import MAX_DISTANCE
+    from leitmotion.discovery.recurrence import find_recurrences
+    from leitmotion.discovery.tang2008 import find_patterns_tang2008
+    from leitmotion.features import FEATURES
+
+    told = " ".join(run("patterns", "--help").stdout.split())
+    for name, feature in FEATURES.items():
+        if feature.alike:
+            measured = feature.measured_in
+            assert f"{feature.alike['equal']:g} {measured} of {name}" in told
+    active = ", ".join(f"{feature.alike['active']:g}" for feature in FEATURES.values() if feature.alike)
+    assert f"with --weights active {active}" in told
+    assert f"with --across {MAX_DISTANCE:g} of posture" in told
+    assert f"largest distance; {_default(find_patterns_tang2008, 'threshold'):g} by default" in told
+    assert f"stretch that counts; {_default(find_recurrences, 'min_duration_s'):g} by default" in told
+
+
+def _default(function: Callable[..., object], name: str) -> float:
+    return float(inspect.signature(function).parameters[name].default)

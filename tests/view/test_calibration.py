@@ -41,3 +41,12 @@ def test_the_unit_and_the_theme(found):
     assert plot_calibration(found, measured_in="radians").axes[0].get_xlabel().endswith("radians")
     with pytest.raises(ParameterError, match="theme must be one of"):
         plot_calibration(found, theme="red")
+
+
+def test_the_axes_have_titles_and_the_band_a_word(found):
+    axes = plot_calibration(found).axes[0]
+    assert axes.get_ylabel() == "pairs judged wrongly"
+    (band,) = (patch for patch in axes.patches if patch.get_label() == "95 % interval of the threshold")
+    low, high = found.threshold_interval
+    assert (band.get_x(), band.get_x() + band.get_width()) == pytest.approx((low, high))
+    assert "95 % interval of the threshold" in [text.get_text() for text in axes.get_legend().get_texts()]

@@ -170,3 +170,26 @@ def test_no_sentence_shouts_or_boasts() -> None:
     ]
     for word in ("!", "insight", "powerful", "oops", "sorry"):
         assert not any(word in sentence.lower() for sentence in said)
+
+
+def test_times_that_differ_are_told_from_the_shortest_to_the_longest() -> None:
+    uneven = pattern("A", 2, 2, kind="acyclic", period=8.0).replace(
+        occurrences=Segmentation([0, 200], [100, 260], rate=10.0)
+    )
+    assert words.lasts(uneven) == "6.00–10.00 s"
+    assert plain(words.lead(found(uneven), 60)) == "[A] comes back twice, 6.00–10.00 s each."
+    assert words.lane_head(uneven) == ("2 stretches", "of 6.00–10.00 s")
+    assert words.lasts(pattern("A", 1, 4)) == "1.50 s"
+
+
+def test_the_page_tells_one_length_of_a_cycle() -> None:
+    """The median in the head of a lane and in the line of its one stretch, also where one cycle is longer."""
+    one = pattern("A", 1, 3)
+    longer = one.replace(occurrences=Segmentation([0, 15, 30], [15, 30, 48], rate=10.0))
+    assert words.lane_head(longer)[1] == "3 cycles of 1.50 s"
+    assert " · 3 cycles of 1.50 s · " in words.stretch_tip(longer, 0)
+
+
+def test_patterns_that_overlap_say_so() -> None:
+    assert words.overlap(found(pattern("A", 2, 4))) == ""
+    assert words.overlap(found(pattern("A", 2, 4), pattern("B", 1, 2))).startswith("These patterns overlap")

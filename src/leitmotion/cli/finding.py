@@ -2,12 +2,17 @@
 
 from __future__ import annotations
 
+import inspect
+import math
 from typing import TYPE_CHECKING
 
 from leitmotion.cli.options import Options
 from leitmotion.cli.printing import print_table
 from leitmotion.cli.progress import Progress, compiling_noted
 from leitmotion.cli.recordings import Opened
+
+FAR = 3.0
+"""So many times the default of what is alike, or so little of it, is told."""
 
 if TYPE_CHECKING:
     from rich.console import Console
@@ -44,7 +49,30 @@ def warnings_of(opened: Opened, found: Patterns) -> list[str]:
     """List what the person should know about a recording and about how it was compared."""
     from leitmotion.view.words import as_they_stand
 
-    return [*opened.warnings, *filter(None, [as_they_stand(found, opened.body), _not_compared(found)])]
+    told = [as_they_stand(found, opened.body), _not_compared(found), _unusual(found)]
+    return [*opened.warnings, *filter(None, told)]
+
+
+def _unusual(found: Patterns) -> str:
+    """Tell that what counts as alike is far from what does by default."""
+    from leitmotion.discovery.tang2008 import find_patterns_tang2008
+    from leitmotion.features import FEATURES
+
+    parameters = found.parameters
+    if parameters["method"] == "tang2008":
+        option, unit = "threshold", "of the largest distance"
+        usual = inspect.signature(find_patterns_tang2008).parameters[option].default
+    else:
+        feature = FEATURES[str(parameters["feature"])]
+        option, unit = "max_distance", feature.measured_in
+        usual = feature.alike.get(str(parameters["weights"]), math.nan)
+    given = parameters[option]
+    if not isinstance(given, float | int) or not (given > FAR * usual or given < usual / FAR):
+        return ""
+    far = "above" if given > usual else "below"
+    few = "nearly all" if given > usual else "hardly any two"
+    named = f"--{option.replace('_', '-')} {given:g}"
+    return f"{named} is far {far} the default, {usual:g} {unit}: {few} moments count as alike then."
 
 
 def _not_compared(found: Patterns) -> str:
@@ -72,7 +100,7 @@ def show_patterns(console: Console, found: Patterns, *, seconds: float, body: Bo
         The person.
     """
     from leitmotion.view.counting import clock
-    from leitmotion.view.words import lead, looked_for, title
+    from leitmotion.view.words import lasts, lead, looked_for, overlap, title
 
     console.print(f"{title(found)}.", style="bold")
     pieces = lead(found, seconds, body)
@@ -93,7 +121,7 @@ def show_patterns(console: Console, found: Patterns, *, seconds: float, body: Bo
                 pattern.kind,
                 str(len(pattern.stretches)),
                 str(pattern.cycles) if pattern.cycles else "",
-                f"{pattern.period_s:.2f} s",
+                lasts(pattern),
                 f"{pattern.confidence:.2f}",
                 ", ".join(
                     f"{clock(start / found.rate)}–{clock(stop / found.rate)}"
@@ -103,3 +131,5 @@ def show_patterns(console: Console, found: Patterns, *, seconds: float, body: Bo
             for pattern in found.patterns
         ],
     )
+    if remark := overlap(found):
+        console.print(remark)

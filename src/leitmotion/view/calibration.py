@@ -57,18 +57,27 @@ def plot_calibration(
     """
     colours = theme_named(theme)
     figure = new_figure(width, width * 0.64, colours)
-    axes = figure.add_axes((0.1, 0.16, 0.87, 0.72))
+    axes = figure.add_axes((0.13, 0.16, 0.84, 0.72))
     style_axes(axes, colours)
     end = min(float(calibration.thresholds[-1]), SHOWN * calibration.threshold) or 1.0
     _curves(axes, calibration, colours, end)
     _equal(axes, calibration, colours)
     if calibration.check is not None:
         _checked(axes, calibration.check, colours)
+    _interval(axes, calibration, colours)
     axes.set(xlim=(0, end), ylim=(0, 1.0), yticks=np.arange(0, 1.01, 0.25))
     axes.set_yticks(np.arange(0, 1.01, 0.25), ["0", "25", "50", "75", "100 %"])
+    axes.set_ylabel("pairs judged wrongly", fontsize=BODY, color=colours.ink2)
     axes.set_xlabel(f"at most so far apart counts as alike, {measured_in}", fontsize=BODY, color=colours.ink2)
     axes.set_title(_title(calibration), loc="left", fontsize=TITLE, color=colours.ink, pad=10)
-    axes.legend(loc="upper right", frameon=False, fontsize=SMALL, labelcolor=colours.ink2, handlelength=2.6)
+    axes.legend(
+        loc="upper right",
+        frameon=False,
+        fontsize=SMALL,
+        labelcolor=colours.ink2,
+        handlelength=2.6,
+        labelspacing=0.3,
+    )
     return figure
 
 
@@ -77,9 +86,6 @@ def _title(calibration: Calibration) -> str:
 
 
 def _curves(axes: Axes, calibration: Calibration, colours: Theme, end: float) -> None:
-    low, high = calibration.threshold_interval
-    if np.isfinite(low):
-        axes.axvspan(low, high, color=colours.line, lw=0, alpha=0.6, zorder=0)
     for share in (0.25, 0.5, 0.75):
         axes.axhline(share, color=colours.line, lw=0.6, zorder=0.5)
     at = np.append(calibration.thresholds, max(end, calibration.thresholds[-1]))
@@ -89,6 +95,13 @@ def _curves(axes: Axes, calibration: Calibration, colours: Theme, end: float) ->
         (calibration.false_match, f"{TAKEN} (of {calibration.not_alike})", (0, (3, 1.5))),
     ):
         axes.plot(at, np.append(rates, rates[-1]), ls=dashes, label=words, **style)
+
+
+def _interval(axes: Axes, calibration: Calibration, colours: Theme) -> None:
+    low, high = calibration.threshold_interval
+    if np.isfinite(low):
+        words = "95 % interval of the threshold"
+        axes.axvspan(low, high, color=colours.line, lw=0, alpha=0.6, zorder=0, label=words)
 
 
 def _equal(axes: Axes, calibration: Calibration, colours: Theme) -> None:

@@ -19,6 +19,7 @@ from leitmotion.view.counting import clock, count_word, plural, times_word
 
 LEAD_CHIPS = 8
 STILL = 0.012  # body sizes: a body of which no point goes farther keeps still
+UNEVEN = 0.25  # of the median: times that differ by more are told by the shortest and the longest
 HOLES = 0.1  # share of positions unseen from which on they may be why nothing was found
 
 PLACES = {"toe": "toes"}
@@ -139,6 +140,35 @@ def lane_head(pattern: Pattern) -> tuple[str, str]:
     return plural(len(pattern.stretches), "stretch"), _cycles(len(pattern.occurrences), pattern)
 
 
+def lasts(pattern: Pattern) -> str:
+    """Say how long one time lasts: the median, or from where to where when times differ by more than a person minds.
+
+    Parameters
+    ----------
+    pattern : Pattern
+        What recurs.
+
+    Returns
+    -------
+    str
+        For example ``"1.74 s"`` or ``"0.83–1.20 s"``.
+    """
+    lengths = (pattern.occurrences.stops - pattern.occurrences.starts) / pattern.occurrences.rate
+    if lengths.max() - lengths.min() <= UNEVEN * pattern.period_s:
+        return f"{pattern.period_s:.2f} s"
+    return f"{lengths.min():.2f}–{lengths.max():.2f} s"
+
+
+def overlap(patterns: Patterns) -> str:
+    """Say that patterns overlap in time, where one has most of a time of another, as those of paper P's method may."""
+    reach = 0
+    for start, stop in sorted((a, b) for pattern in patterns for a, b, _, _ in pattern.occurrences):
+        if 2 * (min(reach, stop) - start) > stop - start:
+            return "These patterns overlap: a moment may belong to several."
+        reach = max(reach, stop)
+    return ""
+
+
 def stretch_name(pattern: Pattern, k: int) -> str:
     """Name a stretch for someone who hears the page.
 
@@ -177,8 +207,8 @@ def stretch_tip(pattern: Pattern, k: int) -> str:
     inside = cycles_in(pattern, k)
     parts = [f"{pattern.id}, {k + 1} of {len(pattern.stretches)}", f"{clock(start)} to {clock(stop)}"]
     if pattern.kind == "cyclic":
-        mean = sum(b - a for a, b in inside) / len(inside) if inside else pattern.period_s
-        parts.append(f"{plural(len(inside), 'cycle')} of {mean:.2f} s")
+        cycle = float(np.median([b - a for a, b in inside])) if inside else pattern.period_s
+        parts.append(f"{plural(len(inside), 'cycle')} of {cycle:.2f} s")
     reason = f": {pattern.reason.rstrip('.')}" if pattern.reason else ""
     parts.append(f"confidence {pattern.confidence:.2f}{reason}")
     return " · ".join(parts)
@@ -283,7 +313,7 @@ def _stay(pattern: Pattern) -> str:
     stretches = len(pattern.stretches)
     cycles = _cycles(len(pattern.occurrences), pattern)
     if pattern.kind != "cyclic":
-        return f"comes back {times_word(stretches)}, {pattern.period_s:.2f} s each"
+        return f"comes back {times_word(stretches)}, {lasts(pattern)} each"
     if stretches == 1:
         return f"repeats within one stretch: {cycles}"
     return f"comes back in {count_word(stretches)} stretches: {cycles}"
@@ -291,8 +321,8 @@ def _stay(pattern: Pattern) -> str:
 
 def _cycles(count: int, pattern: Pattern) -> str:
     if pattern.kind != "cyclic":
-        return f"of {pattern.period_s:.2f} s"
-    return f"{plural(count, 'cycle')} of {pattern.period_s:.2f} s"
+        return f"of {lasts(pattern)}"
+    return f"{plural(count, 'cycle')} of {lasts(pattern)}"
 
 
 def _each_within(count: int) -> str:

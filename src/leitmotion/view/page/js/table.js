@@ -2,12 +2,17 @@
 
 const COLUMNS = ["Pattern", "From", "To", "Lasts", "Cycles", "One cycle", "Confidence"];
 
+// As the heads of the lanes: the median, so that one cycle cut short does not tell.
+function median(lengths) {
+  const sorted = [...lengths].sort((a, b) => a - b);
+  return (sorted[(sorted.length - 1) >> 1] + sorted[sorted.length >> 1]) / 2;
+}
+
 function tableRows() {
   return patterns.flatMap((pattern, p) =>
     pattern.stretches.map((stretch, k) => {
       const cycles = stretch.cycles.length;
-      const mean = cycles ? stretch.cycles.reduce((sum, [a, b]) => sum + b - a, 0) / cycles : NaN;
-      return { p, k, pattern, stretch, cycles, mean };
+      return { p, k, pattern, stretch, cycles, cycle: median(stretch.cycles.map(([a, b]) => b - a)) };
     }),
   );
 }
@@ -20,13 +25,13 @@ function buildTable() {
     return;
   }
   const body = document.createElement("tbody");
-  for (const { p, k, pattern, stretch, cycles, mean } of tableRows()) {
+  for (const { p, k, pattern, stretch, cycles, cycle } of tableRows()) {
     const button = chip(p, "button");
     button.type = "button";
     button.dataset.stretch = `${p} ${k}`;
     const cells = [
       clockWord(stretch.start), clockWord(stretch.stop), `${(stretch.stop - stretch.start).toFixed(1)} s`,
-      cycles || "–", cycles ? `${mean.toFixed(2)} s` : "–", pattern.confidence.toFixed(2),
+      cycles || "–", cycles ? `${cycle.toFixed(2)} s` : "–", pattern.confidence.toFixed(2),
     ].map((text) => make("td", "", String(text)));
     cells[5].title = pattern.reason;
     const row = make("tr", "", [make("td", "", [button, make("span", "given-name", "")]), ...cells]);
