@@ -253,7 +253,8 @@ def report(
     patterns : Patterns, optional
         What recurs in this recording; by default what :func:`find_patterns` finds.
     source : mapping, optional
-        What the page tells about where the recording comes from: "path", "sha256" and the like.
+        What the page tells about where the recording comes from: "path", "sha256" and the like; "warnings" are
+        sentences that it shows as notes.
     features, weights : str, optional
         As for :func:`find_patterns`; by default those by which the given patterns were found, else posture and equal.
     joints, exclude, body_map, swap_sides

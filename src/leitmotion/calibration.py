@@ -19,7 +19,7 @@ from leitmotion.body import swap_sides as exchanged
 from leitmotion.describing import Recording, Roles, described, known_weights, only
 from leitmotion.evaluation import Calibration, equal_error_rate, errors_at
 from leitmotion.features import FeatureSequence, active_weights, weighted
-from leitmotion.io import LabelledPair, read, read_pairs
+from leitmotion.io import LabelledPair, open_recording, read_pairs
 from leitmotion.motion import DataError, LeitmotionError, Motion, ParameterError, Trajectories
 
 READING = ("skeleton", "unit", "up", "rate", "person", "trust")
@@ -37,6 +37,8 @@ class Looked(NamedTuple):
 
     frames: int
     rate: float
+    warnings: tuple[str, ...] = ()
+    """What was odd about the file."""
 
 
 @dataclass(frozen=True)
@@ -177,13 +179,13 @@ def measure(
     for name, frames in _frames_of(labelled, called).items():
         source = _source(name, recordings, home)
         try:
-            recording = read(source, **reading) if isinstance(source, str) else source
+            recording, warnings = _read(source, reading)
             roles = _roles(recording, body_map, swap_sides=swap_sides)
             told = described(recording, features, joints=joints, exclude=exclude, body_map=roles)
         except LeitmotionError as error:
             where = next(iter(frames.values()))
             raise type(error)(f"{where}: {error.message}", remedy=error.remedy) from error
-        found[name] = _moments(told, frames, name, source)
+        found[name] = _moments(told, frames, name, source, warnings)
     distances = np.array([_distance(pair, found, weights, called) for pair in labelled])
     return Measured(labelled, distances, tuple(moments.looked for moments in found.values()), check)
 
@@ -261,6 +263,19 @@ def _source(name: str, recordings: Source | Mapping[str, Source] | None, home: P
     return source if isinstance(source, Motion | Trajectories | Body) else fspath(source)
 
 
+def _read(source: str | Recording, reading: Mapping[str, Any]) -> tuple[Recording, tuple[str, ...]]:
+    """The recording of one person, and what is odd about its file."""
+    if not isinstance(source, str):
+        return source, ()
+    opened = open_recording(source, **reading)
+    if len(opened.recordings) > 1:
+        raise DataError(
+            f"{source} holds {len(opened.recordings)} people: {', '.join(opened.people)}.",
+            remedy="Choose one with --person NAME (person= in Python).",
+        )
+    return opened.recordings[0], tuple(opened.warnings)
+
+
 def _roles(recording: Recording, body_map: Roles | None, *, swap_sides: bool) -> Roles | None:
     from leitmotion.body import map_of
 
@@ -272,7 +287,11 @@ def _roles(recording: Recording, body_map: Roles | None, *, swap_sides: bool) ->
 
 
 def _moments(
-    told: FeatureSequence, frames: Mapping[int, str], name: str, source: str | Recording
+    told: FeatureSequence,
+    frames: Mapping[int, str],
+    name: str,
+    source: str | Recording,
+    warnings: tuple[str, ...],
 ) -> _Moments:
     for frame, where in frames.items():
         if not 0 <= frame < len(told):
@@ -282,7 +301,7 @@ def _moments(
             )
         if not np.isfinite(told.values[frame]).any():
             raise DataError(f"{where}: frame {frame} of {name or 'the recording'} shows no posture.")
-    looked = Looked(name, source if isinstance(source, str) else "", len(told), told.rate)
+    looked = Looked(name, source if isinstance(source, str) else "", len(told), told.rate, warnings)
     kept = told.replace(values=told.values[list(frames)])
     return _Moments(looked, kept, {frame: k for k, frame in enumerate(frames)}, active_weights(told))
 

@@ -139,3 +139,12 @@ def test_recordings_within_a_solid_archive_are_read(run: Run, data: Path) -> Non
     told = run("calibrate", "pairs.csv", "--folder", data)
     assert told.exit_code == 0, told.stderr
     assert told.stdout.startswith("Postures at most ")
+
+
+def test_what_is_odd_about_a_recording_is_told_with_its_name(run: Run, made: Path) -> None:
+    content = (made / "jacks.bvh").read_bytes()
+    Path("cut.bvh").write_bytes(content[: len(content) * 9 // 10])
+    Path("pairs.csv").write_text("frame_a,frame_b,alike\n0,1,1\n0,2,1\n0,60,0\n0,65,0\n", encoding="utf-8")
+    told = run("calibrate", "pairs.csv", "cut.bvh", "--json")
+    warnings = json.loads(told.stdout)["warnings"]
+    assert any(each.startswith("cut.bvh: The file ends within its row ") for each in warnings)

@@ -4,6 +4,7 @@ import gzip
 import hashlib
 import io
 import json
+import lzma
 import os
 import sys
 from pathlib import Path
@@ -12,7 +13,7 @@ from types import SimpleNamespace
 import pytest
 
 from cli.conftest import Run
-from fuzzing.seeds import SEEDS, zipped
+from fuzzing.seeds import SEEDS, taped, zipped
 from leitmotion.cli.inputs import Input, expand
 
 ENDINGS = (".bvh", ".amc", ".csv")
@@ -63,7 +64,9 @@ def test_a_window_of_a_folder_is_a_window_of_each_file(folder: Path) -> None:
     ]
 
 
-def test_a_window_of_a_file_is_kept_for_its_reader() -> None:
+def test_a_window_of_a_file_is_kept_for_its_reader(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    Path("clip.bvh").touch()
     with expand(["clip.bvh[100:400]"], ENDINGS) as inputs:
         assert inputs == [Input("clip.bvh[100:400]", Path("clip.bvh"), "[100:400]")]
         assert inputs[0].source == "clip.bvh[100:400]"
@@ -201,3 +204,33 @@ def test_files_that_are_one_recording_together_are_one_input(tmp_path: Path) -> 
     with expand([str(tmp_path)], (".json", ".txt")) as inputs:
         assert [given.path.name for given in inputs] == ["m01_positions.txt", "c_1_keypoints.json"]
         assert all(given.doubtful for given in inputs)
+
+
+def test_what_is_not_there_is_told_alike_by_every_verb(run: Run, made: Path) -> None:
+    for call in (
+        ("patterns", "nowhere"),
+        ("patterns", "nowhere", "--across"),
+        ("info", "nowhere/"),
+        ("convert", "nowhere", "-o", "out", "--to", "npz"),
+        ("calibrate", "nowhere"),
+        ("evaluate", "patterns", "nowhere", "found.json"),
+    ):
+        told = run(*call)
+        assert told.exit_code == 1
+        assert "Error: There is no file or folder nowhere." in told.stderr
+    assert run("patterns", "nowhere.bvh").stderr == "Error: There is no file nowhere.bvh.\n"
+
+
+def test_a_tar_archive_stands_for_its_recordings_as_a_zip_archive_does(run: Run) -> None:
+    Path("all").mkdir()
+    clips = {"./z.bvh": BVH, "./deep/a.bvh": BVH, "./read.me": b"x"}
+    Path("all/pack.tar.xz").write_bytes(lzma.compress(taped(clips)))
+    names = [f"{Path('all/pack.tar.xz')}/z.bvh", f"{Path('all/pack.tar.xz')}/deep/a.bvh"]
+    for named in ("all", "all/pack.tar.xz"):
+        told = run("info", named, "--json")
+        assert [json.loads(line)["source"][0]["path"] for line in told.stdout.splitlines()] == names
+    assert run("info", "-", "--json", stdin=Path("all/pack.tar.xz").read_bytes()).stdout.count("\n") == 2
+    run("convert", "all", "-o", "made", "--to", "npz")
+    assert sorted(path.as_posix() for path in Path("made").rglob("*.npz")) == [
+        "made/pack/deep/a.npz", "made/pack/z.npz"
+    ]  # fmt: skip

@@ -1,6 +1,7 @@
 """``leitmotion report`` and ``leitmotion demo``: the page, where it goes, and what it never replaces."""
 
 import json
+import re
 from pathlib import Path
 
 import pytest
@@ -224,3 +225,14 @@ def test_labels_that_reach_beyond_what_was_read_are_told(run: Run, made: Path) -
     assert (
         "Note: Cut: 3 labels in labels.csv (a, c, b) reach beyond the 3.00 s that were read." in told.stderr
     )
+
+
+def test_what_is_odd_about_the_file_stands_on_the_page(run: Run, made: Path) -> None:
+    content = (made / "jacks.bvh").read_bytes()
+    Path("cut.bvh").write_bytes(content[: len(content) * 9 // 10])
+    told = run("report", "cut.bvh", "--json")
+    (document,) = map(json.loads, told.stdout.splitlines())
+    payload = re.search(r'id="payload">(.*?)</script>', Path("cut.html").read_text(encoding="utf-8"))
+    assert payload is not None
+    assert document["warnings"][0].startswith("The file ends within its row ")
+    assert json.loads(payload[1])["notes"] == document["warnings"]

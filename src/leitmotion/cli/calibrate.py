@@ -98,12 +98,17 @@ def calibrate(
                 **{name: value for name, value in asked.items() if value},
                 **reading_parameters(options.reading, None, swap_sides=options.swap_sides),
             },
+            warnings=[
+                f"{looked.source}: {each}" for looked in measured.recordings for each in looked.warnings
+            ],
             written=kept,
         )
 
     def check(given: Sequence[Input]) -> None:
-        if len(given) != 1 or given[0].shown != pairs or given[0].fault is not None:
-            raise click.UsageError(f"{pairs} holds recordings; PAIRS is one table of labelled pairs.")
+        if len(given) != 1 or given[0].shown != pairs or given[0].path.is_dir():
+            raise click.UsageError(
+                f"PAIRS is one table of labelled pairs, and {pairs} is a folder or an archive."
+            )
         if options.output is not None:
             check_output(options.output, given, endings=PICTURES + TABLES, force=options.force)
 

@@ -119,7 +119,7 @@ def expand(
             elif os.path.isdir(path):
                 inputs += _in_folder(path, window, argument, extensions, {each.resolve() for each in apart})
             else:
-                inputs.append(Input(argument, path, window))
+                inputs.append(Input(argument, path, window, fault=_missing(path)))
         yield inputs
 
 
@@ -192,6 +192,19 @@ def _in_archive(file: Path, window: str, argument: str) -> list[Input]:
         for path in found
     ]
     return inputs or [Input(argument, file, window, fault=nothing_in(file))]
+
+
+def _missing(path: Path) -> LeitmotionError | None:
+    """Why there is nothing to look at, where nothing is there; all else is for the reader to say."""
+    from leitmotion.io.files import missing
+
+    try:
+        os.lstat(path)
+    except FileNotFoundError:
+        return missing(path)
+    except (OSError, ValueError):
+        return None
+    return None
 
 
 def _is_among(path: Path, apart: Set[Path]) -> bool:

@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import os
 import sys
+from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from leitmotion.cli.finding import warnings_of
 from leitmotion.cli.options import Options
 from leitmotion.cli.outputs import will_be_written
 from leitmotion.cli.progress import Progress
@@ -25,6 +27,7 @@ def write_page(
     *,
     labels: Segmentation | None = None,
     labels_from: str = "",
+    notes: Sequence[str] = (),
 ) -> str:
     """Write the page that shows what recurs in a recording.
 
@@ -44,6 +47,8 @@ def write_page(
         Labels from elsewhere.
     labels_from : str
         Where they are from.
+    notes : sequence of str
+        What else the person should know, about the labels.
 
     Returns
     -------
@@ -62,7 +67,8 @@ def write_page(
         labels=labels,
         labels_from=labels_from,
         patterns=found,
-        source=opened.source[0] if opened.source else None,
+        source=(opened.source[0] if opened.source else {})
+        | {"warnings": [*warnings_of(opened, found), *notes]},
         joints=options.joints or None,
         exclude=options.exclude,
         force=True,  # whether the page may be replaced was asked before any work

@@ -80,6 +80,7 @@ def report(
             progress,
             labels=lane,
             labels_from="" if labels is None else labels.name,
+            notes=notes,
         )
         if open_it and not open_page(page):
             progress.note_once("There is no screen here to open the page on.")

@@ -61,11 +61,17 @@ def read_bytes(path: Path) -> bytes:
     except (FileNotFoundError, NotADirectoryError, ValueError):  # the last of a name that no file can have
         if os.path.islink(path):
             raise FormatError(f"{path} is a link to {os.readlink(path)}, where there is no file.") from None
-        raise FormatError(f"There is no file {path}.", remedy=_suggest(path)) from None
+        raise missing(path) from None
     except PermissionError:
         raise FormatError(f"The file {path} may not be read.", remedy="Check its permissions.") from None
     except OSError as error:
         raise FormatError(f"The file {path} cannot be read: {error.strerror or error}.") from None
+
+
+def missing(path: Path) -> FormatError:
+    """Make the error that says that nothing is at a place, and what is called nearly so."""
+    what = "file" if path.suffix else "file or folder"
+    return FormatError(f"There is no {what} {path}.", remedy=_suggest(path))
 
 
 def _suggest(path: Path) -> str:

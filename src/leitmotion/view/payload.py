@@ -63,7 +63,8 @@ def page_payload(
     matrix : SimilarityMatrix
         Every moment of `body` against every other; its rate may be lower than the body's.
     source : dict
-        Where the recording is from: ``path`` and whatever else the JSON contract tells.
+        Where the recording is from: ``path`` and whatever else the JSON contract tells; ``warnings`` are sentences
+        that the page shows as notes.
     labels : Segmentation, optional
         What someone wrote about the recording.
     labels_from : str
@@ -117,6 +118,7 @@ def page_payload(
         if len(patterns)
         else words.empty_text(patterns, still=_keeps_still(moments, rate, cap, unit), remark=remark),
         "looked_for": f"{words.looked_for(patterns)} {remark}".rstrip(),
+        "notes": [str(note) for note in source.get("warnings", ()) if note != remark or len(patterns)],
     }
 
 

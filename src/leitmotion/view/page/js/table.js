@@ -19,9 +19,12 @@ function tableRows() {
 
 function buildTable() {
   const box = $("table");
+  const notes = payload.notes.length
+    ? [make("div", "notes", [make("h2", "", "Notes"), ...payload.notes.map((note) => make("p", "", note))])]
+    : [];
   if (!patterns.length) {
     box.classList.add("nothing");
-    box.append(make("h2", "", "What was looked for"), make("p", "", payload.looked_for));
+    box.append(make("h2", "", "What was looked for"), make("p", "", payload.looked_for), ...notes);
     return;
   }
   const body = document.createElement("tbody");
@@ -39,7 +42,7 @@ function buildTable() {
     body.append(row);
   }
   const head = make("thead", "", make("tr", "", COLUMNS.map((name) => make("th", "", name, { scope: "col" }))));
-  box.append(make("table", "", [head, body]));
+  box.append(make("table", "", [head, body]), ...notes);
 }
 
 on("change", () => {
