@@ -81,6 +81,8 @@ def test_beside_documents_it_is_told_on_standard_error(run: Run, made: Path) -> 
     assert json.loads(told.stdout)["verb"] == "patterns"
     assert told.stderr.endswith("Wrote x.csv.\n")
     assert run(*call, "--quiet").stderr == ""
+    told = run("report", made / "jacks.bvh", made / "once.bvh", "-o", "pages", "--json")
+    assert f"{made / 'jacks.bvh'}: Wrote {Path('pages/jacks.html')}, in a new folder.\n" in told.stderr
 
 
 def test_the_contents_of_a_summary_keep_the_rule(run: Run, made: Path) -> None:

@@ -8,7 +8,7 @@ import pytest
 from leitmotion.body import Body
 from leitmotion.discovery import Pattern, Patterns
 from leitmotion.motion import Segmentation
-from leitmotion.view import words
+from leitmotion.view import lengths, words
 from leitmotion.view.words import Chip
 
 
@@ -176,10 +176,10 @@ def test_times_that_differ_are_told_from_the_shortest_to_the_longest() -> None:
     uneven = pattern("A", 2, 2, kind="acyclic", period=8.0).replace(
         occurrences=Segmentation([0, 200], [100, 260], rate=10.0)
     )
-    assert words.lasts(uneven) == "6.00–10.00 s"
+    assert lengths.lasts(uneven) == "6.00–10.00 s"
     assert plain(words.lead(found(uneven), 60)) == "[A] comes back twice, 6.00–10.00 s each."
     assert words.lane_head(uneven) == ("2 stretches", "of 6.00–10.00 s")
-    assert words.lasts(pattern("A", 1, 4)) == "1.50 s"
+    assert lengths.lasts(pattern("A", 1, 4)) == "1.50 s"
 
 
 def test_the_page_tells_one_length_of_a_cycle() -> None:
@@ -191,5 +191,5 @@ def test_the_page_tells_one_length_of_a_cycle() -> None:
 
 
 def test_patterns_that_overlap_say_so() -> None:
-    assert words.overlap(found(pattern("A", 2, 4))) == ""
-    assert words.overlap(found(pattern("A", 2, 4), pattern("B", 1, 2))).startswith("These patterns overlap")
+    assert lengths.overlap(found(pattern("A", 2, 4))) == ""
+    assert lengths.overlap(found(pattern("A", 2, 4), pattern("B", 1, 2))).startswith("These patterns overlap")

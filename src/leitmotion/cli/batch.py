@@ -196,7 +196,8 @@ def _print(
         elif alone or not answer.silent:
             _show(given, answer, options, first=first, alone=alone)
     for sentence in () if isinstance(answer, Failure) else answer.written:
-        tell_written(sentence, options)
+        apart = options.as_json and not alone and sentence  # on standard error, among the lines about others
+        tell_written(f"{given.shown}: {sentence}" if apart else sentence, options)
     return document
 
 

@@ -100,7 +100,8 @@ def show_patterns(console: Console, found: Patterns, *, seconds: float, body: Bo
         The person.
     """
     from leitmotion.view.counting import clock
-    from leitmotion.view.words import lasts, lead, looked_for, overlap, title
+    from leitmotion.view.lengths import lasts, overlap
+    from leitmotion.view.words import lead, looked_for, title
 
     console.print(f"{title(found)}.", style="bold")
     pieces = lead(found, seconds, body)

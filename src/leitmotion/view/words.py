@@ -16,10 +16,10 @@ import numpy as np
 from leitmotion.body import Body
 from leitmotion.discovery import Pattern, Patterns
 from leitmotion.view.counting import clock, count_word, plural, times_word
+from leitmotion.view.lengths import lasts
 
 LEAD_CHIPS = 8
 STILL = 0.012  # body sizes: a body of which no point goes farther keeps still
-UNEVEN = 0.25  # of the median: times that differ by more are told by the shortest and the longest
 HOLES = 0.1  # share of positions unseen from which on they may be why nothing was found
 
 PLACES = {"toe": "toes"}
@@ -138,35 +138,6 @@ def lane_head(pattern: Pattern) -> tuple[str, str]:
         For example ``("3 stretches", "4 cycles of 1.74 s")``.
     """
     return plural(len(pattern.stretches), "stretch"), _cycles(len(pattern.occurrences), pattern)
-
-
-def lasts(pattern: Pattern) -> str:
-    """Say how long one time lasts: the median, or from where to where when times differ by more than a person minds.
-
-    Parameters
-    ----------
-    pattern : Pattern
-        What recurs.
-
-    Returns
-    -------
-    str
-        For example ``"1.74 s"`` or ``"0.83–1.20 s"``.
-    """
-    lengths = (pattern.occurrences.stops - pattern.occurrences.starts) / pattern.occurrences.rate
-    if lengths.max() - lengths.min() <= UNEVEN * pattern.period_s:
-        return f"{pattern.period_s:.2f} s"
-    return f"{lengths.min():.2f}–{lengths.max():.2f} s"
-
-
-def overlap(patterns: Patterns) -> str:
-    """Say that patterns overlap in time, where one has most of a time of another, as those of paper P's method may."""
-    reach = 0
-    for start, stop in sorted((a, b) for pattern in patterns for a, b, _, _ in pattern.occurrences):
-        if 2 * (min(reach, stop) - start) > stop - start:
-            return "These patterns overlap: a moment may belong to several."
-        reach = max(reach, stop)
-    return ""
 
 
 def stretch_name(pattern: Pattern, k: int) -> str:

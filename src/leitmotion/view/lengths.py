@@ -1,0 +1,47 @@
+"""How long the times of a pattern last, and whether patterns share time, in words."""
+
+from __future__ import annotations
+
+from leitmotion.discovery import Pattern, Patterns
+
+UNEVEN = 0.25  # of the median: times that differ by more are told by the shortest and the longest
+
+
+def lasts(pattern: Pattern) -> str:
+    """Say how long one time lasts: the median, or from where to where when times differ by more than a person minds.
+
+    Parameters
+    ----------
+    pattern : Pattern
+        What recurs.
+
+    Returns
+    -------
+    str
+        For example ``"1.74 s"`` or ``"0.83–1.20 s"``.
+    """
+    lengths = (pattern.occurrences.stops - pattern.occurrences.starts) / pattern.occurrences.rate
+    if lengths.max() - lengths.min() <= UNEVEN * pattern.period_s:
+        return f"{pattern.period_s:.2f} s"
+    return f"{lengths.min():.2f}–{lengths.max():.2f} s"
+
+
+def overlap(patterns: Patterns) -> str:
+    """Say that patterns overlap in time, where one has most of a time of another, as those of paper P's method may.
+
+    Parameters
+    ----------
+    patterns : Patterns
+        What recurs.
+
+    Returns
+    -------
+    str
+        A sentence; empty where they do not.
+    """
+    reach = 0
+    for start, stop in sorted((a, b) for pattern in patterns for a, b, _, _ in pattern.occurrences):
+        if 2 * (min(reach, stop) - start) > stop - start:
+            return "These patterns overlap: a moment may belong to several."
+        reach = max(reach, stop)
+    return ""
