@@ -148,3 +148,13 @@ def test_what_is_odd_about_a_recording_is_told_with_its_name(run: Run, made: Pat
     told = run("calibrate", "pairs.csv", "cut.bvh", "--json")
     warnings = json.loads(told.stdout)["warnings"]
     assert any(each.startswith("cut.bvh: The file ends within its row ") for each in warnings)
+
+
+def test_the_recording_of_the_pairs_is_never_written_over(run: Run, made: Path) -> None:
+    lm.write(lm.read(made / "jacks.bvh"), "jacks.csv")
+    content = Path("jacks.csv").read_bytes()
+    Path("pairs.csv").write_text("frame_a,frame_b,alike\n0,1,1\n0,2,1\n0,60,0\n0,65,0\n", encoding="utf-8")
+    told = run("calibrate", "pairs.csv", "jacks.csv[0:90]", "-o", "jacks.csv", "--force")
+    assert told.exit_code == 2
+    assert "jacks.csv is an input" in told.stderr
+    assert Path("jacks.csv").read_bytes() == content

@@ -105,12 +105,15 @@ def calibrate(
         )
 
     def check(given: Sequence[Input]) -> None:
+        from leitmotion.io.sources import split_window
+
         if len(given) != 1 or given[0].shown != pairs or given[0].path.is_dir():
             raise click.UsageError(
                 f"PAIRS is one table of labelled pairs, and {pairs} is a folder or an archive."
             )
         if options.output is not None:
-            check_output(options.output, given, endings=PICTURES + TABLES, force=options.force)
+            others = [] if recording is None else [Input(recording, split_window(recording)[0])]
+            check_output(options.output, [*given, *others], endings=PICTURES + TABLES, force=options.force)
 
     outcome = answer_each("calibrate", [pairs], options, look, check=check)
     keep_table(outcome.documents, options, COLUMNS, _rows)
