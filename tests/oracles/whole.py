@@ -4,6 +4,7 @@ from functools import cache
 
 import numpy as np
 
+from leitmotion.motion import DataError
 from leitmotion.similarity import align
 
 
@@ -36,7 +37,14 @@ def near_pairs(d, spans, limit, loose, unlike):
             if (c < b and a < e) or lengths[1] > unlike * lengths[0]:
                 continue
             straight = [d[a + (b - a - 1) * k // 8, c + (e - c - 1) * k // 8] for k in range(9)]
-            cost = align(d[a:b, c:e]).cost
-            if np.mean(straight) <= loose and cost < limit:
+            if np.mean(straight) > loose:
+                continue
+            try:
+                path = align(d[a:b, c:e], step="symmetricP1").path
+            except DataError:
+                continue
+            weights = np.append(2, np.diff(path, axis=0).sum(axis=1))  # a diagonal step 2, a straight one 1
+            cost = np.average(d[a:b, c:e][tuple(path.T)], weights=weights)
+            if cost < limit:
                 found[x, y] = cost
     return found

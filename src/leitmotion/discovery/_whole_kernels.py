@@ -57,9 +57,9 @@ def near_pairs(a, spans, k0, k1, width, limit, loose, unlike):
     longest = 0
     for k in range(spans.shape[0]):
         longest = max(longest, spans[k, 1] - spans[k, 0])
-    C = np.empty((2, longest))
-    K = np.empty((2, longest), np.int64)
-    d = np.empty(longest, np.float32)
+    C = np.empty((3, longest))
+    W = np.empty((3, longest), np.int64)
+    d = np.empty((2, longest), np.float32)
     for x in range(k0, k1):
         start, stop = spans[x]
         length = stop - start
@@ -80,7 +80,7 @@ def near_pairs(a, spans, k0, k1, width, limit, loose, unlike):
                     break
             if not apart <= SAMPLES * loose:
                 continue
-            cost = _warped(a, start, stop, begin, end, width, C, K, d)
+            cost = _warped(a, start, stop, begin, end, width, C, W, d)
             if cost < limit:
                 if n == costs.size:
                     pairs = np.concatenate((pairs, np.empty_like(pairs)))
@@ -91,23 +91,27 @@ def near_pairs(a, spans, k0, k1, width, limit, loose, unlike):
 
 
 @njit(cache=True, nogil=True)
-def _warped(a, start, stop, begin, end, width, C, K, d):
-    """Mean distance of two stretches along their warping path, both ends bound."""
+def _warped(a, start, stop, begin, end, width, C, W, d):
+    """Mean distance of two stretches along their warping path, both ends bound, neither twice as fast as the other.
+
+    A diagonal step weighs 2, a straight one, taken together with the diagonal one before it, 1.
+    """
     M = end - begin
     for i in range(stop - start):
-        distances_to(a, start + i, begin, end, 1, width, d)
-        C0, C1 = C[i % 2], C[(i - 1) % 2]
-        K0, K1 = K[i % 2], K[(i - 1) % 2]
+        C0, C1, C2 = C[i % 3], C[(i - 1) % 3], C[(i - 2) % 3]
+        W0, W1, W2 = W[i % 3], W[(i - 1) % 3], W[(i - 2) % 3]
+        d0, d1 = d[i % 2], d[(i - 1) % 2]
+        distances_to(a, start + i, begin, end, 1, width, d0)
         for j in range(M):
-            best, cells = np.inf, 0
+            best, weight = np.inf, 0
             if i == 0 and j == 0:
-                best = 0.0
-            if i > 0 and j > 0:
-                best, cells = C1[j - 1], K1[j - 1]
-            if i > 0 and C1[j] < best:
-                best, cells = C1[j], K1[j]
-            if j > 0 and C0[j - 1] < best:
-                best, cells = C0[j - 1], K0[j - 1]
-            C0[j], K0[j] = best + d[j], cells + 1
+                best, weight = 2.0 * d0[j], 2
+            if i > 0 and j > 0 and C1[j - 1] + 2.0 * d0[j] < best:
+                best, weight = C1[j - 1] + 2.0 * d0[j], W1[j - 1] + 2
+            if i > 1 and j > 0 and C2[j - 1] + 2.0 * d1[j] + d0[j] < best:
+                best, weight = C2[j - 1] + 2.0 * d1[j] + d0[j], W2[j - 1] + 3
+            if i > 0 and j > 1 and C1[j - 2] + 2.0 * d0[j - 1] + d0[j] < best:
+                best, weight = C1[j - 2] + 2.0 * d0[j - 1] + d0[j], W1[j - 2] + 3
+            C0[j], W0[j] = best, weight
     i = stop - start - 1
-    return C[i % 2, M - 1] / K[i % 2, M - 1]
+    return C[i % 3, M - 1] / max(1, W[i % 3, M - 1])

@@ -48,13 +48,16 @@ def moves_of(distances: Distances, alike: Likeness, criteria: Criteria) -> list[
     spans = _spans(distances, alike, criteria)
     pairs, contrasts = _alike(spans, distances, criteria)
     found = []
-    for explained, group in _groups(spans, pairs, contrasts):
-        stretches = sorted((int(start), int(stop)) for start, stop in spans[group])
-        seed = spans[group[0]]
-        paths = [_path(distances, seed, spans[other]) for other in group[1:]]
-        stripes = [stripe for stripe in measure(paths, distances, alike) if stripe is not None]
-        spans_found = [(float(start), float(stop)) for start, stop in stretches]
-        found.append(Return(spans_found, stripes, np.zeros((0, 2), int), explained))
+    for explained, (seed, *others) in _groups(spans, pairs, contrasts):
+        stripes = measure([_path(distances, spans[seed], spans[other]) for other in others], distances, alike)
+        clear = {
+            other: stripe
+            for other, stripe in zip(others, stripes, strict=True)
+            if stripe is not None and stripe.contrast >= criteria.min_contrast
+        }
+        if clear:
+            stretches = sorted((float(start), float(stop)) for start, stop in spans[[seed, *clear]])
+            found.append(Return(stretches, list(clear.values()), np.zeros((0, 2), int), explained))
     return found
 
 
@@ -157,5 +160,5 @@ def _group(
 
 
 def _path(distances: Distances, one: np.ndarray, other: np.ndarray) -> np.ndarray:
-    path = align(distances.between(range(*one), range(*other))).path
+    path = align(distances.between(range(*one), range(*other)), step="symmetricP1").path
     return np.add(path, (one[0], other[0]))
