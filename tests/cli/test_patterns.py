@@ -53,7 +53,7 @@ def test_stretches_that_were_not_compared_are_told(
 ) -> None:
     from leitmotion.discovery import tracing
 
-    monkeypatch.setattr(tracing, "LIVE", 4000)
+    monkeypatch.setattr(tracing, "LIVE", 600)
     told = json.loads(run("patterns", made / "jacks.bvh", "--json").stdout)
     (warning,) = told["warnings"]
     assert warning.startswith("So much recurs that only stretches within 0:0")
