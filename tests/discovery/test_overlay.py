@@ -9,7 +9,9 @@ from scipy.ndimage import gaussian_filter1d
 from leitmotion.discovery import overlay
 from leitmotion.discovery.families import Run
 from leitmotion.discovery.kinds import part_themes
+from leitmotion.discovery.lone import with_lone_occurrences
 from leitmotion.discovery.overlay import overlay_cost, overlay_of, overlay_of_stretches
+from leitmotion.discovery.returns import Return
 from leitmotion.discovery.search import Criteria, Seen
 from leitmotion.discovery.themes import Theme
 from leitmotion.discovery.units import _same_again, alternation
@@ -78,7 +80,23 @@ def run(*borders):
     return Run(borders[0], borders[-1], MINUTES, [], [], list(borders))
 
 
+def alone(distances):
+    half = MINUTES // 2
+    twice = Return([(0.0, half), (half, MINUTES)], [], np.zeros((0, 2)), 1.0)
+    return with_lone_occurrences(
+        [twice], np.zeros(2 * MINUTES, bool), distances, max_distance=0.05, min_contrast=0.3
+    )
+
+
+def paired(distances):
+    criteria = Criteria(0.05, 0.3, 0.012, 15)
+    scribe = Scribe(distances.features, distances, criteria)
+    return scribe.write([scribe.held([(0, MINUTES), (MINUTES, 2 * MINUTES)])]).patterns
+
+
 TOLD_BY = {
+    "alone": alone,
+    "pairs": paired,
     "kinds": lambda distances: part_themes([Theme([run(0, MINUTES, 2 * MINUTES)])], distances, 0.05),
     "units": lambda distances: _same_again(
         np.repeat(np.arange(2 * MINUTES)[:, None], 2, axis=1), [MINUTES], distances, 0.05

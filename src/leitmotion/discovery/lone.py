@@ -21,6 +21,7 @@ from leitmotion.discovery.returns import Return
 from leitmotion.similarity import Distances
 
 SHORTER = 0.5  # of the typical occurrence: none is shorter
+SAMPLED = 600  # moments a side, about, that tell how near anything is to a long movement
 COMPARED = 8  # occurrences among which the typical one is looked for
 
 
@@ -71,7 +72,8 @@ def with_lone_occurrences(
         stretch = slice(course.start, course.stop)
         if taken[stretch].any():
             continue
-        around = np.nanmedian(distances.between(typical[course.which], range(course.start, course.stop)))
+        sides = typical[course.which], range(course.start, course.stop)
+        around = np.nanmedian(distances.between(*(side[:: 1 + len(side) // SAMPLED] for side in sides)))
         if course.apart < (1 - min_contrast) * around:
             taken[stretch] = True
             spans[course.which].append((course.start, course.stop))

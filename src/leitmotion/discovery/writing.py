@@ -11,7 +11,7 @@ import numpy as np
 
 from leitmotion.discovery.confidence import Evidence, confidence
 from leitmotion.discovery.families import TOUCH
-from leitmotion.discovery.overlay import AGREED, overlay_of_stretches
+from leitmotion.discovery.overlay import AGREED, HELD, overlay_of_stretches
 from leitmotion.discovery.pattern import Pattern, PatternPair, cut_at_occurrences, letter
 from leitmotion.discovery.returns import Return
 from leitmotion.discovery.search import Criteria, Seen
@@ -180,6 +180,8 @@ class Scribe:
         missing = (pair for pair in _neighbours_first(len(spans)) if pair not in pieces)
         for i, j in islice(missing, ALIGNED):
             rows, columns = (range(int(np.ceil(spans[k][0])), int(np.ceil(spans[k][1]))) for k in (i, j))
+            if len(rows) * len(columns) > HELD:
+                continue
             apart = self.distances.between(rows, columns)
             if apart.size and np.isfinite(apart).all():
                 aligned = align(apart)
