@@ -146,8 +146,8 @@ def look(
     """Look for what recurs, and once more, farther, in what is left over.
 
     Each look judges what it found by its own distance: whether occurrences are alike, which decides what stays, and
-    how near they are, which counts for the confidence. By the distance of the first look, some of what the second
-    finds rightly would be dropped and the confidence fits less well, on the recordings that a method may be fitted on.
+    how near they are, which counts for the confidence. By the distance of the first look for both nothing is found
+    better and the confidence fits less well, on the recordings that a method may be fitted on.
 
     Parameters
     ----------
