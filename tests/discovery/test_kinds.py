@@ -88,3 +88,23 @@ def test_cycles_that_are_not_compared_with_each_go_to_the_nearest(monkeypatch, c
     theme, distances = theme_of("aaaaaaabbbbb")
     parted = sorted(part_themes([theme], distances, NEAR), key=starts)
     assert [starts(part) for part in parted] == [list(range(7)), list(range(7, 12))]
+
+
+def growing(steps):
+    """A swing that grows a little from cycle to cycle, as one theme with its distances."""
+    swing = 0.5 * (1 - np.cos(2 * np.pi * np.arange(CYCLE) / CYCLE))
+    sizes = np.concatenate([np.full(CYCLE, size) for size in steps])
+    values = (np.tile(swing, len(steps)) * sizes)[:, None] * np.repeat([1, 0, 0], 3)
+    distances = Distances(FeatureSequence(values, ("a", "b", "c"), 30.0, ("place",), 3))
+    borders = [float(CYCLE * k) for k in range(len(steps) + 1)]
+    return Theme([Run(0.0, borders[-1], CYCLE, [], [], borders)]), distances
+
+
+def test_a_movement_that_changes_step_by_step_is_one():
+    theme, distances = growing([0.2, 0.4, 0.6, 0.8, 1.0, 1.2])
+    assert part_themes([theme], distances, NEAR) == [theme]
+
+
+def test_one_that_changes_at_once_is_two():
+    theme, distances = growing([0.2, 0.25, 0.3, 1.1, 1.15, 1.2])
+    assert [len(starts(part)) for part in part_themes([theme], distances, NEAR)] == [3, 3]

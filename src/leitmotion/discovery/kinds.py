@@ -1,4 +1,6 @@
-"""Kinds: which cycles of a theme are alike, so that a walk that becomes a run, step by step, is two movements.
+"""Kinds: which cycles of a theme are alike, so that a walk that becomes a run within a step is two movements.
+
+A walk that turns, each step a little further, stays one: where one kind passes into the other, its cycles are alike.
 
 Conventions
 -----------
@@ -17,6 +19,7 @@ from leitmotion.discovery.overlay import overlay_of_stretches
 from leitmotion.discovery.themes import Theme
 from leitmotion.similarity import Distances
 
+GRADUAL = 0.9  # of the distance of what is alike: nearer cycles that follow one another are of one kind
 COMPARED = 24  # cycles of a theme that are compared each with each; the others go to the nearest
 
 
@@ -40,7 +43,8 @@ def part_themes(themes: Sequence[Theme], distances: Distances, max_distance: flo
     parted: list[Theme] = []
     for theme in themes:
         cycles = [(run, a, b) for run in theme.runs for a, b in pairwise(run.borders)]
-        kinds = _kinds([(a, b) for _, a, b in cycles], distances, max_distance)
+        spans = [(a, b) for _, a, b in cycles]
+        kinds = _gradual(spans, _kinds(spans, distances, max_distance), distances, max_distance)
         if kinds.max(initial=0) == 0:
             parted.append(theme)
             continue
@@ -75,6 +79,23 @@ def _kinds(cycles: Sequence[tuple[float, float]], distances: Distances, max_dist
         else:
             kinds[k] = int(np.argmin([_apart(cycle, cycles[n], distances, max_distance) for n in nearest]))
     return kinds
+
+
+def _gradual(
+    cycles: Sequence[tuple[float, float]], kinds: np.ndarray, distances: Distances, max_distance: float
+) -> np.ndarray:
+    """Make one of the kinds that pass gradually into one another, most of the times that they do."""
+    steps: dict[tuple[int, int], list[float]] = {}
+    for (one, kind), (other, following) in pairwise(zip(cycles, kinds.tolist(), strict=True)):
+        if kind != following and one[1] == other[0]:
+            apart = _apart(one, other, distances, max_distance)
+            steps.setdefault((min(kind, following), max(kind, following)), []).append(apart)
+    merged = kinds.copy()
+    for (kind, following), apart in steps.items():
+        if np.median(apart) < GRADUAL * max_distance:
+            one, other = merged[kinds == kind][0], merged[kinds == following][0]
+            merged[merged == max(one, other)] = min(one, other)
+    return np.unique(merged, return_inverse=True)[1]
 
 
 def _apart(
