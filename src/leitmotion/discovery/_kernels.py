@@ -9,7 +9,7 @@ with a live cell the steps are kept, four bits a cell in one number, and which t
 import numpy as np
 from numba import njit
 
-from leitmotion.discovery._near_kernels import block_distances
+from leitmotion.discovery._near_kernels import distances_to_tile, pick_block
 from leitmotion.discovery.tiles import BLOCK, LANES
 
 NONE, START, DIAGONAL, STEEP, FLAT = 0, 1, 2, 3, 4  # how a path came into a cell
@@ -127,6 +127,8 @@ def align_rows(
     )  # distances of tiles that are no candidates of their block
     which = np.full(G, -1, np.int32)
     known = np.empty(64, np.int32)
+    few = np.empty((BLOCK, tiles.shape[1] // LANES), np.float32)
+    seen = np.empty(BLOCK * LANES, np.float32)
     others = 0
     for i in range(i0, i1):
         now, before, earlier = i % 3, (i - 1) % 3, (i - 2) % 3
@@ -191,9 +193,9 @@ def align_rows(
                         known = np.concatenate((known, np.empty_like(known)))
                     known[others], which[g] = g, others
                     others += 1
-                    block_distances(
-                        tiles, block, width, known[others - 1 : others], also[others - 1 : others]
-                    )
+                    if others == 1:
+                        pick_block(tiles, block, few)
+                    distances_to_tile(tiles[g], few, width, seen, also[others - 1])
                 d = also[which[g], lanes]
             at = start + LANES
             step_into(

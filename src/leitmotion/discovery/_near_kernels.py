@@ -115,17 +115,19 @@ def norms_to(tile, rows, width, total, seen):
             seen[2 * LANES + lane] += _ONE if norm == norm else _ZERO
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
-def block_distances(tiles, block, width, chosen, apart):
-    """Fill apart (K, BLOCK * LANES): distances of the moments of a block to those of each chosen tile."""
-    rows = np.empty((BLOCK, tiles.shape[1] // LANES), np.float32)
+@njit(cache=True, nogil=True)
+def pick_block(tiles, block, rows):
+    """Take the moments of a block out of the tiles, one a row."""
     for r in range(BLOCK):
         pick(tiles, min(BLOCK * block + r, tiles.shape[0] * LANES - 1), rows[r])
-    seen = np.empty(BLOCK * LANES, np.float32)
-    for k in range(chosen.size):
-        norms_to(tiles[chosen[k]], rows, width, apart[k], seen)
-        for lane in range(BLOCK * LANES):
-            apart[k, lane] /= seen[lane]
+
+
+@njit(cache=True, nogil=True, error_model="numpy")
+def distances_to_tile(tile, rows, width, seen, apart):
+    """Fill apart (BLOCK * LANES,) with the distances of BLOCK moments to those of a tile."""
+    norms_to(tile, rows, width, apart, seen)
+    for lane in range(BLOCK * LANES):
+        apart[lane] /= seen[lane]
 
 
 @njit(cache=True, nogil=True, error_model="numpy")
@@ -176,10 +178,13 @@ def candidates(tiles, theta, centres, radius, most, blocks, width, c0, c1, b0, b
             c += 1
         offsets[b - b0 + 1] = found
     apart = np.empty((found, BLOCK * LANES), np.float32)
+    few = np.empty((BLOCK, D), np.float32)
     for b in range(b0, b1):
         start, stop = offsets[b - b0], offsets[b - b0 + 1]
         if stop > start:
-            block_distances(tiles, b, width, chosen[start:stop], apart[start:stop])
+            pick_block(tiles, b, few)
+        for k in range(start, stop):
+            distances_to_tile(tiles[chosen[k]], few, width, seen, apart[k])
     begins = np.zeros((found, BLOCK), np.bool_)
     for b in range(b0, b1):
         for r in range(min(BLOCK, theta.size - BLOCK * b)):

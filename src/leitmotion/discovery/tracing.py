@@ -26,6 +26,7 @@ FEWEST, CELLS = 64, 6_000_000  # blocks of rows aligned in one call, and cells i
 REST_S = 60.0  # how long a rest may be whose end is still the same moment as its beginning
 LIVE = 60_000_000  # tiles with live cells, twelve bytes each
 POINTS = 30_000_000  # of all paths together
+ENDS = 16_384  # of paths, followed in one call
 NEAR_S = 60.0  # paths nearer to the diagonal are followed first
 STILL_GAIN = -0.1
 
@@ -183,14 +184,15 @@ def _follow(live: Live, rate: float, shortest: int) -> tuple[np.ndarray, np.ndar
     from leitmotion.discovery._path_kernels import walk_back
 
     far = live.columns - live.rows > NEAR_S * rate
-    order = np.lexsort((-live.gains, far))
+    near, far = np.flatnonzero(~far), np.flatnonzero(far)
+    order = np.concatenate([some[np.argsort(-live.gains[some], kind="stable")] for some in (near, far)])
     rows, columns = live.rows[order], live.columns[order]
     corridor = max(1, round(CORRIDOR_S * rate))
     path = np.empty((2 * len(live.row_offsets), 2), np.int64)
     points, lengths = [np.zeros((0, 2), np.int32)], [np.zeros(0, np.int64)]
     total, k = 0, 0
     while k < len(rows) and total < POINTS:
-        more = min(len(rows), k + 4096)
+        more = min(len(rows), k + ENDS)
         piece, counts = aside(
             walk_back, live.steps, live.row_offsets, live.places, rows, columns,
             corridor, shortest, k, more, path,
