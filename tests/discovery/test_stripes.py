@@ -88,6 +88,18 @@ def test_the_kernel_gives_every_path_the_gain_of_its_twin(aligned):
         assert gain == pytest.approx(S[i, j], abs=1e-3)
 
 
+def test_paths_end_where_nothing_that_gains_follows_and_no_neighbour_gains_more(aligned):
+    live, _, (S, steps) = aligned
+    extended = {source for cell, source in steps.items() if source in steps and S[cell] - S[source] > 1e-6}
+    around = np.pad(S, 1)
+    ends = {
+        (i, j)
+        for i, j in set(steps) - extended
+        if S[i, j] > 3 and S[i, j] >= around[i + 1, j] and S[i, j] > around[i + 1, j + 2]
+    }
+    assert set(zip(live.rows.tolist(), live.columns.tolist(), strict=True)) == ends
+
+
 @pytest.mark.parametrize("width", [1, 2, 3, 4])
 def test_no_two_postures_are_nearer_than_their_blocks_say(wandering, rng, width):
     N = 690

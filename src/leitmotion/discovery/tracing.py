@@ -3,7 +3,7 @@
 Conventions
 -----------
 Moments of the working rate. A cell (i, j) of the matrix is *live* when an alignment runs through it; a few in a hundred
-are, and for these alone the step by which it came is kept, a byte each.
+are, and only of the tiles that hold one are the steps kept by which paths came, four bits a cell.
 
 References
 ----------
