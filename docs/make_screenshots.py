@@ -1,4 +1,4 @@
-"""Take a picture of every view of the page, from real recordings: ``python docs/make_screenshots.py``.
+"""Take a picture of every view of the page, from real recordings: ``python docs/make_screenshots.py [VIEW...]``.
 
 Needs the folder of recordings (``LEITMOTION_DATA``) and a Chromium (``CHROMIUM``, or its usual names on PATH). The
 pictures lie in ``screenshots/``; ``page.md`` shows them. Keep them beside an older set before a change of the page.
@@ -21,6 +21,7 @@ from leitmotion.io import read_annotations
 SCREENSHOTS = Path(__file__).resolve().parent / "screenshots"
 BROWSERS = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable")
 WALK, LIE = "cmu86/86_01.amc", "hdm05/lieDownFloor/*.amc"
+SEVERAL = "mocap6/13_*.amc"
 PAPER = 688
 DENSITY = 1.5
 
@@ -73,6 +74,7 @@ VIEWS = (
     View("held-on-stripe", prepare=hold_a_stripe),
     View("pattern-chosen", address="t=35.4&pattern=B"),
     View("lesson", address="pattern=B&take=2&t=17.3"),
+    View("shared", recording=SEVERAL, address="pattern=D&take=1&beside=1&t=42.1"),
     View("empty", recording=LIE, address="t=2.2"),
     View("tablet", width=900, height=1300, whole=True),
     View("tablet-pair", width=900, height=1000, address="t=19.3&u=36.3"),
@@ -102,6 +104,8 @@ def main() -> int:
                 labels = read_annotations(path.with_name(name), rate=120, trial=path.stem)
             target = Path(folder) / f"{path.stem}.html"
             pages[recording] = lm.report(lm.read(path), target, labels=labels, labels_from=name)
+        several = [lm.read(path) for path in sorted(data.glob(SEVERAL))]
+        pages[SEVERAL] = lm.report_shared(several, Path(folder) / "shared.html")
         take(browser, pages)
     return 0
 
@@ -114,6 +118,8 @@ def take(browser: str, pages: dict[str, Path]) -> None:
     with sync_playwright() as play:
         chromium = play.chromium.launch(executable_path=browser, args=["--no-sandbox", "--disable-gpu"])
         for view in VIEWS:
+            if sys.argv[1:] and view.name not in sys.argv[1:]:
+                continue
             context = chromium.new_context(
                 viewport={"width": view.width, "height": view.height},
                 device_scale_factor=DENSITY,

@@ -38,7 +38,7 @@ from leitmotion.motion import (
     Trajectories,
 )
 from leitmotion.repairs import Repaired, repair
-from leitmotion.sharing import find_shared_patterns
+from leitmotion.sharing import find_shared_patterns, report_shared
 from leitmotion.synthesis import Summary
 
 __all__ = [
@@ -82,6 +82,7 @@ __all__ = [
     "read_annotations",
     "repair",
     "report",
+    "report_shared",
     "save",
     "search_residual",
     "summarize",
@@ -285,12 +286,13 @@ def report(
     """
     from leitmotion.similarity import self_distance
     from leitmotion.view import report_page
+    from leitmotion.view.report import check_page
 
     if swap_sides:
         body_map = _exchanged(recording, body_map)
     body = as_body(recording, body_map)
     target = Path(path) if path is not None else Path(f"{_file_name(body.name)}.html")
-    _check_page(target, force=force)
+    check_page(target, force=force)
     _check_fits(body, patterns, labels)
     if patterns is not None and options:
         raise ParameterError(f"{min(options)!r} steers a search, but patterns= says what was found.")
@@ -313,17 +315,6 @@ def report(
     )
     write_whole(target, page)
     return target
-
-
-def _check_page(target: Path, *, force: bool) -> None:
-    from leitmotion.view.report import is_ours
-
-    if target.suffix.lower() != ".html":
-        raise ParameterError(f"A page ends in .html, got {target.name!r}.")
-    if target.is_file() and not force and not is_ours(target):
-        raise ParameterError(
-            f"{target} exists, and Leitmotion did not write it.", remedy="Replace it with force=True."
-        )
 
 
 def _check_fits(body: Body, patterns: Patterns | None, labels: Segmentation | None) -> None:

@@ -4,16 +4,21 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from numbers import Real
+from pathlib import Path
 
 from leitmotion.body import Body, map_of
 from leitmotion.body import swap_sides as exchanged
 from leitmotion.describing import Recording, Roles, as_body, described
-from leitmotion.discovery import SharedPatterns
+from leitmotion.discovery import SharedPatterns, nearest_across
 from leitmotion.discovery import find_shared_patterns as search
+from leitmotion.discovery.recurrence import MAX_DISTANCE
 from leitmotion.features import FEATURES, FeatureSequence
+from leitmotion.io import write_whole
 from leitmotion.motion import ParameterError
 
 OPTIONS = ("max_distance", "min_duration_s", "min_amplitude", "min_contrast")
+MOST_MOMENTS = 3000
+"""Moments that the matrix of the page compares at most, of all recordings: it is drawn in 600 cells."""
 
 
 def find_shared_patterns(
@@ -86,7 +91,91 @@ def find_shared_patterns(
             options = {"max_distance": float(alike), "min_amplitude": float(alike) / 5} | options
     called = [one.name for one in recordings] if names is None else names
     found = search(told, names=called, **options)
-    return found.replace(parameters=found.parameters | {"feature": features})
+    by: dict[str, object] = {"feature": features}
+    if features == "posture":
+        by["max_distance_within_one"] = MAX_DISTANCE
+    return found.replace(parameters=found.parameters | by, nearest_miss=nearest_across(told, found))
+
+
+def report_shared(
+    recordings: Sequence[Recording],
+    path: str | Path,
+    *,
+    names: Sequence[str] | None = None,
+    shared: SharedPatterns | None = None,
+    paths: Sequence[str] = (),
+    features: str | None = None,
+    joints: str | Sequence[str] | None = None,
+    exclude: str | Sequence[str] | None = None,
+    body_map: Roles | None = None,
+    swap_sides: bool = False,
+    force: bool = False,
+    **options: float,
+) -> Path:
+    """Write the page that shows what recordings share: one HTML file that needs nothing else.
+
+    Parameters
+    ----------
+    recordings : sequence of Motion, Trajectories or Body
+        Two or more, one person each.
+    path : path
+        Where to write it, ending in ``.html``.
+    names : sequence of str, optional
+        What to call them; by default their own names.
+    shared : SharedPatterns, optional
+        What they share; by default what :func:`find_shared_patterns` finds.
+    paths : sequence of str
+        What the page tells about where each comes from.
+    features : str, optional
+        As for :func:`find_shared_patterns`; by default those by which `shared` was found.
+    joints, exclude, body_map, swap_sides
+        As for :func:`find_shared_patterns`.
+    force : bool
+        Whether an ``.html`` file that Leitmotion did not write may be replaced.
+    **options
+        Of the search, as for :func:`find_shared_patterns`.
+
+    Returns
+    -------
+    Path
+        The page that was written, whole or not at all.
+
+    Raises
+    ------
+    ParameterError
+        When the path does not end in ``.html`` or holds somebody else's page, `shared` is of other recordings, or as
+        :func:`find_shared_patterns` says.
+    DataError
+        As :func:`find_shared_patterns` says.
+
+    Examples
+    --------
+    >>> import leitmotion as lm
+    >>> motions = [lm.read(path) for path in ("a.bvh", "b.bvh")]             # doctest: +SKIP
+    >>> lm.report_shared(motions, "shared.html")                             # doctest: +SKIP
+    PosixPath('shared.html')
+    """
+    from leitmotion.similarity import self_distance
+    from leitmotion.view import shared_page
+    from leitmotion.view.in_a_row import features_in_a_row
+    from leitmotion.view.report import check_page
+
+    target = Path(path)
+    check_page(target, force=force)
+    if shared is not None and options:
+        raise ParameterError(f"{min(options)!r} steers a search, but shared= says what was found.")
+    by = {} if shared is None else shared.parameters
+    name = features or str(by.get("feature", "posture"))
+    asked = {"joints": joints, "exclude": exclude, "body_map": body_map, "swap_sides": swap_sides}
+    found = shared or find_shared_patterns(recordings, names=names, features=name, **asked, **options)  # type: ignore[arg-type]
+    if names is not None:
+        found = found.replace(names=tuple(names))
+    told = [_described(one, name, joints, exclude, body_map, swap_sides) for one in recordings]
+    bodies = [as_body(one, _roles(one, body_map, swap_sides)) for one in recordings]
+    compared = features_in_a_row(told)
+    thinned = compared[:: -(-len(compared) // MOST_MOMENTS)]
+    write_whole(target, shared_page(bodies, found, self_distance(thinned), paths=paths))
+    return target
 
 
 def _described(
@@ -98,16 +187,21 @@ def _described(
     swap_sides: bool,
 ) -> FeatureSequence:
     """Describe one recording of several: what is wrong with what was asked for is said with its name."""
-    if swap_sides and isinstance(recording, Body):
-        raise ParameterError(
-            "The sides of a Body are settled.", remedy="Give the recording itself to have them exchanged."
-        )
-    roles = (
-        exchanged(map_of(recording, body_map)) if swap_sides and not isinstance(recording, Body) else body_map
-    )
+    roles = _roles(recording, body_map, swap_sides)
     if features == "posture":
         recording, roles = as_body(recording, roles), None
     try:
         return described(recording, features, joints=joints, exclude=exclude, body_map=roles)
     except ParameterError as error:
         raise ParameterError(f"{recording.name}: {error.message}", remedy=error.remedy) from None
+
+
+def _roles(recording: Recording, body_map: Roles | None, swap_sides: bool) -> Roles | None:
+    """The map of one recording, its sides exchanged where that was asked for."""
+    if not swap_sides:
+        return body_map
+    if isinstance(recording, Body):
+        raise ParameterError(
+            "The sides of a Body are settled.", remedy="Give the recording itself to have them exchanged."
+        )
+    return exchanged(map_of(recording, body_map))

@@ -34,12 +34,67 @@ def test_the_answer_comes_first_then_where_then_who_shares_what(run: Run, three:
     assert lines[3].split()[:3] == ["A", "cyclic", "2"]
     assert "slow.bvh" in lines[3]
     assert lines[4].split()[0] == "ann/jacks.bvh"
-    assert [line.split() for line in lines[-3:]] == [
+    assert [line.split() for line in lines[-5:-2]] == [
         ["once.bvh", "·"],
         ["slow.bvh", "4"],
         ["ann/jacks.bvh", "4"],
     ]
     assert not any("  " in line and line != line.rstrip() for line in lines)
+    assert lines[-1].startswith("Across recordings postures are alike within 0.08 body sizes, not 0.054 as")
+
+
+def test_where_the_limit_is_that_of_one_recording_nothing_is_said_of_it(run: Run, three: Path) -> None:
+    told = run("patterns", three, "--across", "--quiet", "--max-distance", "0.054")
+    assert "as within one" not in told.stdout
+    (document,) = documents(run("patterns", three, "--across", "--json").stdout)
+    limits = [document["parameters"][name] for name in ("max_distance", "max_distance_within_one")]
+    assert limits == [0.08, 0.054]
+
+
+def test_a_recording_given_again_is_compared_once_and_named(run: Run, three: Path, made: Path) -> None:
+    shutil.copy(made / "jacks.bvh", "copy.bvh")
+    jacks, slow = three / "ann" / "jacks.bvh", three / "slow.bvh"
+    (document,) = documents(
+        run("patterns", jacks, slow, jacks, jacks, "copy.bvh", "--across", "--json").stdout
+    )
+    assert [source["path"] for source in document["source"]] == [str(jacks), str(slow)]
+    assert document["warnings"][:2] == [
+        f"{jacks} is named twice, and was compared once.",
+        f"copy.bvh is the same recording as {jacks}, and was compared once.",
+    ]
+    told = run("patterns", jacks, "copy.bvh", "--across")
+    assert told.exit_code == 1
+    assert told.stdout == ""
+    assert told.stderr == (
+        f"Error: There is only one recording to compare: copy.bvh is the same recording as {jacks}. "
+        "What recordings share takes two or more that differ.\n"
+    )
+
+
+def test_where_nothing_is_shared_the_nearest_is_told_with_its_number(run: Run, made: Path) -> None:
+    """The same jacks by somebody with longer arms: alike, but farther apart than the limit that is given."""
+    jacks = lm.read(made / "jacks.bvh")
+    arms = np.array([["arm" in name.lower() or "hand" in name.lower()] for name in jacks.skeleton.names])
+    lm.write(jacks.replace(local_positions=jacks.local_positions * np.where(arms, 1.25, 1.0)), "long.bvh")
+    given = ("patterns", made / "jacks.bvh", "long.bvh", "--across", "--max-distance", "0.02")
+    (document,) = documents(run(*given, "--json").stdout)
+    miss = document["result"]["nearest_miss"]
+    assert miss.startswith("The nearest: ")
+    assert "long.bvh are 0.0" in miss
+    assert "the limit is 0.02, at the second look 0.028" in miss
+    assert run(*given, "--quiet").stdout.splitlines()[1] == miss
+    assert not any(len(pattern["sources"]) > 1 for pattern in document["result"]["patterns"])
+
+
+def test_the_page_of_several_is_written_and_replaced_only_when_ours(run: Run, three: Path) -> None:
+    assert run("patterns", three, "--across", "-o", "shared.html").exit_code == 0
+    page = Path("shared.html").read_text(encoding="utf-8")
+    assert "<title>Three recordings share one movement" in page
+    assert run("patterns", three, "--across", "-o", "shared.html").exit_code == 0
+    Path("theirs.html").write_text("<p>theirs", encoding="utf-8")
+    told = run("patterns", three, "--across", "-o", "theirs.html")
+    assert told.exit_code == 2
+    assert "Replace it with --force" in " ".join(told.stderr.split())
 
 
 def test_one_document_tells_all_sources_and_of_each_stretch_its_own(run: Run, three: Path, schema) -> None:  # noqa: F811
@@ -105,7 +160,6 @@ def test_recordings_that_cannot_be_compared_are_one_error(run: Run, made: Path, 
         (("--features", "joint_rotations"), "does not go with --features joint_rotations"),
         (("--weights", "active"), "does not go with --weights active"),
         (("--residual",), "ask for one of them"),
-        (("-o", "x.html"), "A page shows one recording"),
         (("-o", "x.eaf"), "An ELAN file shows one recording"),
         (("-o", "x.bvh"), "Cannot tell what to write"),
     ],
@@ -153,4 +207,4 @@ def test_a_window_counts_from_its_start_and_is_told(run: Run, made: Path) -> Non
 def test_nothing_shared_is_an_answer(run: Run, made: Path) -> None:
     told = run("patterns", made / "once.bvh", f"{made / 'jacks.bvh'}[0:20]", "--across")
     assert told.exit_code == 0
-    assert told.stdout == "The two recordings share nothing, and nothing repeats in any of them.\n"
+    assert told.stdout.startswith("The two recordings share nothing, and nothing repeats in any of them.\n\n")

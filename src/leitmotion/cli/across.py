@@ -26,8 +26,8 @@ if TYPE_CHECKING:
 VERB = "patterns"
 PICTURES = (".png", ".svg", ".pdf")
 TABLES = (".json", ".csv")
-ENDINGS = (*TABLES, ".npz", *PICTURES)
-OF_ONE = {".html": "A page", ".eaf": "An ELAN file"}
+ENDINGS = (*TABLES, ".html", ".npz", *PICTURES)
+OF_ONE = {".eaf": "An ELAN file"}
 """Endings of what shows a single recording only."""
 OF_FILES = ("joint_rotations", "marker_posture")
 """Features that need the joints or markers of the file itself, which differ from one to the next."""
@@ -73,7 +73,8 @@ def answer_across(arguments: Sequence[str], options: Options) -> Outcome:
             else:
                 progress.hide()
                 documents.append(_failed(given, read, options))
-        documents.append(_together(inputs, opened, options, progress))
+        distinct, same = _distinct(opened)
+        documents.append(_together(inputs, distinct, same, options, progress))
     if options.output is not None and options.output.suffix.lower() in TABLES:
         write_documents(options.output, documents, COLUMNS, _rows)
     return Outcome(documents, any("error" in document for document in documents))
@@ -118,15 +119,39 @@ def _failed(given: Input, failure: Failure, options: Options) -> Document:
     return document
 
 
+def _distinct(opened: Sequence[tuple[Input, Opened]]) -> tuple[list[tuple[Input, Opened]], list[str]]:
+    """Those that differ, and a sentence about each that is one of them again: the same path, a copy, a link."""
+    kept: dict[tuple[object, ...], tuple[Input, Opened]] = {}
+    same: list[str] = []
+    for given, one in opened:
+        body = one.body
+        first = kept.setdefault(
+            (body.roles, body.rate, body.positions.shape, body.positions.tobytes()), (given, one)
+        )
+        if first[1] is one:
+            continue
+        again = (
+            "is named twice"
+            if first[0].shown == given.shown
+            else f"is the same recording as {first[0].shown}"
+        )
+        same.append(f"{given.shown} {again}, and was compared once.")
+    return list(kept.values()), list(dict.fromkeys(same))
+
+
 def _together(
-    inputs: Sequence[Input], opened: Sequence[tuple[Input, Opened]], options: Options, progress: Progress
+    inputs: Sequence[Input],
+    opened: Sequence[tuple[Input, Opened]],
+    same: Sequence[str],
+    options: Options,
+    progress: Progress,
 ) -> Document:
     """Search what could be read, print and write what was found, and return its document."""
     read = [given for given, _ in opened]
     try:
-        found = _search(opened, len(inputs), options, progress)
+        found = _search(opened, len(inputs), same, options, progress)
         progress.hide()
-        warnings = [*_warnings(opened), *remarks(found, [one.body for _, one in opened])]
+        warnings = [*same, *_warnings(opened), *remarks(found, [one.body for _, one in opened])]
         document = answer_document(
             VERB,
             [one.source[0] for _, one in opened],
@@ -135,7 +160,7 @@ def _together(
             result=shared_result(found),
         )
         if options.output is not None and options.output.suffix.lower() not in TABLES:
-            _write(options.output, found, read)
+            _write(options.output, found, opened, options, progress)
     except (click.ClickException, click.exceptions.Exit, BrokenPipeError):
         raise
     except Exception as error:
@@ -144,18 +169,27 @@ def _together(
     if options.as_json:
         click.echo(as_line(document))
         return document
-    show_shared(answer_console(), found, short_names([given.shown for given in read]))
+    show_shared(answer_console(), found)
     for warning in warnings if not options.quiet else ():
         click.echo(f"Note: {warning}", err=True)
     return document
 
 
 def _search(
-    opened: Sequence[tuple[Input, Opened]], asked: int, options: Options, progress: Progress
+    opened: Sequence[tuple[Input, Opened]],
+    asked: int,
+    same: Sequence[str],
+    options: Options,
+    progress: Progress,
 ) -> SharedPatterns:
     from leitmotion.api import find_shared_patterns
     from leitmotion.motion import DataError
 
+    if len(opened) < 2 and same:
+        raise DataError(
+            f"There is only one recording to compare: {same[0].partition(', and')[0]}.",
+            remedy="What recordings share takes two or more that differ.",
+        )
     if len(opened) < 2:
         raise DataError(
             f"{'Only one' if opened else 'None'} of {asked} inputs could be read.",
@@ -167,7 +201,9 @@ def _search(
     }
     with compiling_noted(progress):
         return find_shared_patterns(
-            [one.body for _, one in opened], names=[given.shown for given, _ in opened], **searching
+            [one.body for _, one in opened],
+            names=short_names([given.shown for given, _ in opened]),
+            **searching,
         )
 
 
@@ -194,16 +230,36 @@ def _warnings(opened: Sequence[tuple[Input, Opened]]) -> list[str]:
     return [f"{given.shown}: {warning}" for given, one in opened for warning in one.warnings]
 
 
-def _write(path: Path, found: SharedPatterns, read: Sequence[Input]) -> None:
-    if path.suffix.lower() == ".npz":
+def _write(
+    path: Path,
+    found: SharedPatterns,
+    opened: Sequence[tuple[Input, Opened]],
+    options: Options,
+    progress: Progress,
+) -> None:
+    ending = path.suffix.lower()
+    progress.say(f"Writing {path.name}")
+    if ending == ".npz":
         from leitmotion.api import save
 
         save(found, path)
-        return
-    from leitmotion.view import plot_shared_patterns
+    elif ending == ".html":
+        from leitmotion.api import report_shared
 
-    names = short_names([given.shown for given in read])
-    write_figure(path, plot_shared_patterns(found.replace(names=names)))
+        report_shared(
+            [one.body for _, one in opened],
+            path,
+            shared=found,
+            paths=[given.shown for given, _ in opened],
+            joints=options.joints or None,
+            exclude=options.exclude,
+            force=True,  # whether the page may be replaced was asked before any work
+        )
+    else:
+        from leitmotion.view import plot_shared_patterns
+
+        write_figure(path, plot_shared_patterns(found))
+    progress.hide()
 
 
 def _rows(document: Document) -> Iterator[Mapping[str, object]]:

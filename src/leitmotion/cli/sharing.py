@@ -62,6 +62,7 @@ def shared_result(found: SharedPatterns) -> Document:
             for pair in found.pairs
         ],
         "counts": found.counts,
+        "nearest_miss": found.nearest_miss,
     }
 
 
@@ -86,7 +87,7 @@ def remarks(found: SharedPatterns, bodies: Sequence[Body]) -> list[str]:
     return said
 
 
-def show_shared(console: Console, found: SharedPatterns, names: Sequence[str]) -> None:
+def show_shared(console: Console, found: SharedPatterns) -> None:
     """Print what recordings share: the answer in a sentence, a row for each pattern, and who shares what.
 
     Parameters
@@ -95,21 +96,40 @@ def show_shared(console: Console, found: SharedPatterns, names: Sequence[str]) -
         Where to print.
     found : SharedPatterns
         What they share.
-    names : sequence of str
-        Of the recordings.
     """
     console.print(_title(found), style="bold")
-    if not found.patterns:
-        return
+    if found.nearest_miss:
+        console.print(found.nearest_miss)
+    if found.patterns:
+        _show_patterns(console, found)
+    limit = limit_words(found)
+    if limit:
+        console.print()
+        console.print(limit, style="dim")
+
+
+def limit_words(found: SharedPatterns) -> str:
+    """Say from where on postures differ, where that is not as within one recording; empty where it is."""
+    limit, within = (found.parameters.get(name) for name in ("max_distance", "max_distance_within_one"))
+    if not isinstance(limit, float) or not isinstance(within, float) or limit == within:
+        return ""
+    return (
+        f"Across recordings postures are alike within {limit:g} body sizes, not {within:g} as within one, since two "
+        "people differ more than two takes of one. So a recording can show other patterns here than alone."
+    )
+
+
+def _show_patterns(console: Console, found: SharedPatterns) -> None:
+    """Print a row for each pattern and recording, and of three recordings or more who shares what."""
     console.print()
     print_table(
         console,
         ("", "kind", ">recordings", ">each", ">confidence", "in", ">times", "from and to"),
-        [row for pattern in found.patterns for row in _rows(pattern, found, names)],
+        [row for pattern in found.patterns for row in _rows(pattern, found)],
     )
-    if len(names) > 2 and found.shared:
+    if len(found.names) > 2 and found.shared:
         console.print()
-        _show_matrix(console, found, names)
+        _show_matrix(console, found)
 
 
 def short_names(shown: Sequence[str]) -> tuple[str, ...]:
@@ -142,7 +162,7 @@ def _title(found: SharedPatterns) -> str:
     return told
 
 
-def _rows(pattern: SharedPattern, found: SharedPatterns, names: Sequence[str]) -> list[tuple[str, ...]]:
+def _rows(pattern: SharedPattern, found: SharedPatterns) -> list[tuple[str, ...]]:
     """A row for each recording, how often and when; of many the first, in the order given."""
     from leitmotion.view.counting import clock
 
@@ -161,16 +181,16 @@ def _rows(pattern: SharedPattern, found: SharedPatterns, names: Sequence[str]) -
             for start, stop, _ in pattern.stretches.of(recording)
         ]
         count = str(len(pattern.occurrences.of(recording)))
-        rows.append((*(("",) * 5 if rows else head), names[recording], count, ", ".join(spans)))
+        rows.append((*(("",) * 5 if rows else head), found.names[recording], count, ", ".join(spans)))
     rest = len(pattern.recordings) - LISTED
     if rest > 0:
         rows.append((*("",) * 5, f"and {rest} more", "", ""))
     return rows
 
 
-def _show_matrix(console: Console, found: SharedPatterns, names: Sequence[str]) -> None:
+def _show_matrix(console: Console, found: SharedPatterns) -> None:
     """Print how often each shared pattern occurs in each recording."""
-    shown = found.shared[:COLUMNS]
+    shown, names = found.shared[:COLUMNS], found.names
     counts = found.counts[:, : len(found.shared)]
     told = [k for k in range(len(names)) if len(names) < MANY or counts[k].any()]
     console.print("What they share", style="bold")

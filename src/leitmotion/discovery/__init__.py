@@ -2,6 +2,7 @@
 
 from leitmotion.discovery.across import find_shared_patterns
 from leitmotion.discovery.lesson import Difference, Lesson, Step, Variation, make_lesson
+from leitmotion.discovery.nearest import nearest_across
 from leitmotion.discovery.pattern import Pattern, PatternPair, Patterns
 from leitmotion.discovery.patterns import METHODS, find_patterns
 from leitmotion.discovery.recurrence import find_recurrences
@@ -31,6 +32,7 @@ __all__ = [
     "find_recurrences",
     "find_shared_patterns",
     "make_lesson",
+    "nearest_across",
     "search_residual",
     "typical_occurrence",
 ]

@@ -189,6 +189,8 @@ class SharedPatterns(Noun):
         How long each is.
     parameters : dict
         What was looked for and how; "features" are the joints that were compared.
+    nearest_miss : str
+        When no two recordings share anything: what came nearest, with its number; else empty.
 
     Raises
     ------
@@ -202,6 +204,7 @@ class SharedPatterns(Noun):
     rates: np.ndarray
     frames: np.ndarray
     parameters: dict[str, object]
+    nearest_miss: str = ""
 
     def __post_init__(self) -> None:
         names = set_names(self, "names", unique=False, empty=True)

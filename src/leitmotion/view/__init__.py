@@ -5,6 +5,7 @@ from leitmotion.view.lanes import plot_shared_patterns
 from leitmotion.view.payload import page_payload
 from leitmotion.view.plots import plot_figures, plot_matrix, plot_patterns
 from leitmotion.view.report import report_page
+from leitmotion.view.shared import shared_page, shared_payload
 
 __all__ = [
     "page_payload",
@@ -14,4 +15,6 @@ __all__ = [
     "plot_patterns",
     "plot_shared_patterns",
     "report_page",
+    "shared_page",
+    "shared_payload",
 ]

@@ -150,12 +150,14 @@ def step_payload(step: Step, lesson: Lesson) -> dict[str, Any]:
     Returns
     -------
     dict
-        `times`, `seconds` in words; `takes` with `start`, `stop`, `apart`, `words`, and the `length` of their paths.
+        `times`, `seconds` in words; `takes` with `start`, `stop`, `apart` in words, `distance` in body sizes, `words`,
+        and the `length` of their paths.
     """
     typical = {
         "start": step.start / lesson.rate,
         "stop": step.stop / lesson.rate,
         "apart": "",
+        "distance": 0.0,
         "words": [],
         "length": 0,
     }
@@ -169,6 +171,7 @@ def step_payload(step: Step, lesson: Lesson) -> dict[str, Any]:
                     "start": each.start / lesson.rate,
                     "stop": each.stop / lesson.rate,
                     "apart": length_words(each.distance, lesson),
+                    "distance": round(each.distance, 4),
                     "words": variation_words(each, lesson),
                     "length": len(each.path),
                 }

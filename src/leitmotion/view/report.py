@@ -20,14 +20,14 @@ from typing import Any
 
 from leitmotion.body import Body
 from leitmotion.discovery import Patterns
-from leitmotion.motion import Segmentation
+from leitmotion.motion import ParameterError, Segmentation
 from leitmotion.similarity import SimilarityMatrix
 from leitmotion.view.payload import page_payload
 
 SCRIPTS = (
     "data", "theme", "state", "words", "space", "figure", "stage", "differences", "cameras",
-    "matrix", "stripes", "pointing", "timeline", "row_strip", "row_lanes", "row_labels", "row_curve",
-    "panel", "table", "sheets", "save", "play", "lesson", "keys", "main",
+    "matrix", "stripes", "pointing", "timeline", "row_strip", "row_lanes", "row_shared", "row_labels", "row_curve",
+    "panel", "table", "sheets", "save", "play", "lesson", "beside", "keys", "main",
 )  # fmt: skip
 """The parts of the script, in the order in which they are joined: each uses only those before it when it loads."""
 
@@ -71,7 +71,24 @@ def report_page(
     ParameterError
         When the matrix is not square or does not cover the body.
     """
-    payload = page_payload(body, patterns, matrix, source=source, labels=labels, labels_from=labels_from)
+    return assembled(
+        page_payload(body, patterns, matrix, source=source, labels=labels, labels_from=labels_from)
+    )
+
+
+def assembled(payload: dict[str, Any]) -> str:
+    """Put what a page holds, its script and its style into the one file.
+
+    Parameters
+    ----------
+    payload : dict
+        The document of :func:`page_payload` or :func:`shared_payload`.
+
+    Returns
+    -------
+    str
+        The page.
+    """
     script, style = _script(), _part("style.css")
     policy = (
         f"default-src 'none'; script-src '{_hash(script)}'; style-src '{_hash(style)}'; "
@@ -86,6 +103,29 @@ def report_page(
         "script": script,
     }
     return re.sub(r"\{\{(\w+)\}\}", lambda slot: replacements[slot[1]], _part("page.html"))
+
+
+def check_page(target: Path, *, force: bool) -> None:
+    """Refuse a place for a page that is none, or holds a page that Leitmotion did not write.
+
+    Parameters
+    ----------
+    target : Path
+        Where the page is to be written.
+    force : bool
+        Whether somebody else's page may be replaced.
+
+    Raises
+    ------
+    ParameterError
+        When the name does not end in ``.html``, or the file is somebody else's.
+    """
+    if target.suffix.lower() != ".html":
+        raise ParameterError(f"A page ends in .html, got {target.name!r}.")
+    if target.is_file() and not force and not is_ours(target):
+        raise ParameterError(
+            f"{target} exists, and Leitmotion did not write it.", remedy="Replace it with force=True."
+        )
 
 
 def is_ours(path: Path) -> bool:

@@ -110,14 +110,14 @@ def lead(patterns: Patterns, seconds: float, body: Body | None = None) -> Lead:
     for k, count in enumerate(sorted(by_count, reverse=True)):
         ids = by_count[count]
         pieces += [" and " if k == len(by_count) - 1 else ", "] if k else []
-        pieces += _listed(ids)
+        pieces += listed(ids)
         verb = (" comes back " if len(ids) == 1 else " come back ") if k == 0 else " "
         pieces.append(verb + times_word(count))
     if by_count:
         pieces.append(". ")
     if within:
         verb = " repeats within one stretch." if len(within) == 1 else _each_within(len(within))
-        pieces += [*_listed(within), verb]
+        pieces += [*listed(within), verb]
     rest = len(patterns) - len(shown)
     if rest:
         pieces.append(f" {count_word(rest).capitalize()} more {'recurs' if rest == 1 else 'recur'}.")
@@ -300,7 +300,8 @@ def _each_within(count: int) -> str:
     return " repeat within one stretch." if count == 2 else " repeat within one stretch each."
 
 
-def _listed(ids: Sequence[str]) -> list[str | Chip]:
+def listed(ids: Sequence[str]) -> list[str | Chip]:
+    """Letters of patterns with what stands between them: A, B and C."""
     pieces: list[str | Chip] = []
     for k, name in enumerate(ids):
         pieces += [" and " if k == len(ids) - 1 else ", "] if k else []

@@ -17,14 +17,17 @@ const smooth = (() => {
     roots.set(last, 3 * f);
   }
   const half = Math.max(1, Math.round((SMOOTH_S * clip.rate) / 2));
+  const borders = clip.parts.map((part) => [part.start, part.stop].map((time) => Math.round(time * clip.rate)));
   const mean = (values, width) => {
     const out = new Float32Array(values.length);
     for (let c = 0; c < width; c++) {
       const sums = new Float64Array(clip.frames + 1);
       for (let f = 0; f < clip.frames; f++) sums[f + 1] = sums[f] + values[f * width + c];
-      for (let f = 0; f < clip.frames; f++) {
-        const [a, b] = [Math.max(f - half, 0), Math.min(f + half + 1, clip.frames)];
-        out[f * width + c] = (sums[b] - sums[a]) / (b - a);
+      for (const [from, to] of borders) {
+        for (let f = from; f < Math.min(to, clip.frames); f++) {
+          const [a, b] = [Math.max(f - half, from), Math.min(f + half + 1, to, clip.frames)];
+          out[f * width + c] = (sums[b] - sums[a]) / (b - a);
+        }
       }
     }
     return out;
@@ -34,8 +37,8 @@ const smooth = (() => {
 
 function smoothAt(values, width, time) {
   const exact = clamp(time, 0, clip.last) * clip.rate;
-  const first = Math.floor(exact);
-  const second = Math.min(first + 1, clip.frames - 1);
+  const first = Math.min(Math.floor(exact + 1e-4), clip.frames - 1);
+  const second = firstFrames.has(first + 1) ? first : Math.min(first + 1, clip.frames - 1);
   return Array.from({ length: width }, (_, c) => {
     const [a, b] = [values[first * width + c], values[second * width + c]];
     return a + (b - a) * (exact - first);
@@ -43,18 +46,20 @@ function smoothAt(values, width, time) {
 }
 
 // The middle and the reach of the whole way: what is seen when the camera does not follow.
-const ground = (() => {
-  const seen = way.filter(Boolean);
+const grounds = clip.parts.map((_, part) => {
+  const seen = way.filter((point) => point && point.part === part);
   const xs = seen.map((p) => p.x);
   const zs = seen.map((p) => p.z);
   const [x0, x1, z0, z1] = [Math.min(...xs, 0), Math.max(...xs, 0), Math.min(...zs, 0), Math.max(...zs, 0)];
   return { middle: [(x0 + x1) / 2, (z0 + z1) / 2], reach: Math.hypot(x1 - x0, z1 - z0) / 2 };
-})();
+});
 
 function cameraPose(name, time) {
   const [x, , z] = smoothAt(smooth.roots, 3, time);
   const front = smoothAt(smooth.facing, 1, time)[0];
-  const yaw = clip.flat ? 0 : { room: clip.yaw, front, side: front + Math.PI / 2, top: clip.yaw }[name];
+  const ground = grounds[partAt(time)];
+  const room = partOf(time).yaw;
+  const yaw = clip.flat ? 0 : { room, front, side: front + Math.PI / 2, top: room }[name];
   const lift = clip.flat ? 0 : LIFT[name];
   const target = state.follow ? [x, clip.floor + 0.47 * clip.height, z] : [ground.middle[0], clip.floor + 0.4 * clip.height, ground.middle[1]];
   return { yaw, lift, target, reach: state.follow ? 0 : ground.reach };

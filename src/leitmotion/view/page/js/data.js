@@ -25,8 +25,23 @@ const clip = (() => {
     rate: clock.rate,
     seconds: source.seconds,
     last: (clock.frames - 1) / clock.rate,
+    parts: payload.parts ?? [{ name: source.name, start: 0, stop: source.seconds, yaw: body.yaw }],
   };
 })();
+
+// Several recordings are one time, one after another; each is a part of it, and a person reads its own seconds.
+const several = clip.parts.length > 1;
+const partAt = (time) => {
+  let k = clip.parts.length - 1;
+  while (k > 0 && clip.parts[k].start > time + 1e-6) k--;
+  return k;
+};
+const partOf = (time) => clip.parts[partAt(time)];
+const ownTime = (time) => time - partOf(time).start;
+// The last moment of the part that holds a moment.
+const lastOf = (time) => (several ? Math.min(partOf(time).stop - 1 / clip.rate, clip.last) : clip.last);
+clip.span = Math.max(...clip.parts.map((part) => part.stop - part.start));
+const firstFrames = new Set(clip.parts.map((part) => Math.round(part.start * clip.rate)));
 
 const likeness = { ...payload.matrix, values: decode(payload.matrix.values), cells: payload.matrix.values.shape[0] };
 const nearest = {
@@ -72,9 +87,9 @@ function nearestTo(time) {
 // The posture at a moment, between two drawn frames: metres, NaN where a point was not seen.
 function postureAt(time, out) {
   const exact = clamp(time, 0, clip.last) * clip.rate;
-  const first = Math.min(Math.floor(exact), clip.frames - 1);
-  const second = Math.min(first + 1, clip.frames - 1);
-  const part = exact - first;
+  const first = Math.min(Math.floor(exact + 1e-4), clip.frames - 1);
+  const second = firstFrames.has(first + 1) ? first : Math.min(first + 1, clip.frames - 1);
+  const part = Math.max(exact - first, 0);
   const { positions, missing, count } = clip;
   const size = count * 3;
   for (let i = 0; i < size; i++) {
@@ -90,8 +105,8 @@ function postureAt(time, out) {
 
 function facingAt(time) {
   const exact = clamp(time, 0, clip.last) * clip.rate;
-  const first = Math.floor(exact);
-  const second = Math.min(first + 1, clip.frames - 1);
+  const first = Math.min(Math.floor(exact + 1e-4), clip.frames - 1);
+  const second = firstFrames.has(first + 1) ? first : Math.min(first + 1, clip.frames - 1);
   return clip.facing[first] + (clip.facing[second] - clip.facing[first]) * (exact - first);
 }
 

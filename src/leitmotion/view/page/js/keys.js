@@ -15,8 +15,11 @@ addEventListener("keydown", (event) => {
   else if (key === "[" || key === "]") setSpeed(key === "[" ? -1 : 1);
   else if (CAMERAS[Number(key) - 1]) setCamera(CAMERAS[Number(key) - 1]);
   else if (key === "?") toggleHelp();
-  else if (letter === "M") tellSymmetry();
+  else if (letter === "M" && !several) tellSymmetry();
   else if (letter === "L" && lessonSteps.length) showLesson(!state.lesson);
+  else if ((letter === "N" || letter === "P") && event.shiftKey && several) stepOther(letter === "N" ? 1 : -1);
+  else if (letter === "S" && several && lessonSteps.length) setView("beside", !state.beside);
+  else if (letter === "T" && several && lessonSteps.length) setView("inStep", !state.inStep);
   else if ((letter === "N" || letter === "P") && lessonSteps.length) stepTake(letter === "N" ? 1 : -1);
   else if (letter === "R" && lessonSteps.length) toggleRepeat();
   else if (letter && "ABCDEFGH".includes(letter) && chosen >= 0) choosePattern(chosen);

@@ -5,7 +5,7 @@ function buildHeader() {
   $("name").textContent = name;
   const hertz = Number.isInteger(rate) ? rate : Number(rate.toFixed(2));
   const length = seconds >= 60 ? clockWord(seconds) : `${seconds.toFixed(1)} s`;
-  $("facts").textContent = `${length} · ${frames.toLocaleString("en")} frames at ${hertz} Hz`;
+  $("facts").textContent = payload.source.facts ?? `${length} · ${frames.toLocaleString("en")} frames at ${hertz} Hz`;
   $("title").textContent = payload.title;
   $("lead").append(...payload.lead.map((piece) => (piece.chip ? chip(patterns.findIndex((p) => p.id === piece.chip)) : piece)));
   $("clock-of").textContent = `of ${clockWord(clip.seconds)}`;
@@ -49,6 +49,12 @@ function buildControls() {
     keepHash();
     applyTheme();
   });
+  if (several) {
+    $("app").classList.add("several-parts");
+    $("tab-repeats").textContent = "Like now";
+    $("tab-lesson").textContent = "Movements";
+    $("tab-symmetry").hidden = true;
+  }
   $("tab-symmetry").addEventListener("click", tellSymmetry);
   // A flat recording has one side.
   $("cameras").hidden = clip.flat;

@@ -9,7 +9,7 @@ const bitmap = document.createElement("canvas");
 const TICKS = [0.1, 0.2, 0.5, 1, 2, 5, 10, 30, 60, 120, 300, 600, 1800, 3600];
 
 // Seconds between ticks, so that at most `most` of them stand on the axis; `least` apart at the finest.
-const tickStep = (most) => TICKS.find((step) => clip.seconds / step < most) || TICKS.at(-1);
+const tickStep = (most) => TICKS.find((step) => clip.span / step < most) || TICKS.at(-1);
 const tickWord = (seconds, step) => (step >= 60 ? clockWord(seconds, 0) : String(Number(seconds.toFixed(1))));
 
 const xOf = (time) => field.left + (time / clip.seconds) * field.side;
@@ -67,6 +67,10 @@ on("change", () => {
 });
 
 function drawAxes(pen) {
+  if (several) {
+    drawParts(pen);
+    return;
+  }
   const step = tickStep(field.side > 500 ? 8.2 : 6.2);
   pen.font = `11.5px ${theme.font}`;
   pen.fillStyle = theme.tokens.ink2;
@@ -79,6 +83,35 @@ function drawAxes(pen) {
     pen.textBaseline = "middle";
     if (time) pen.fillText(word, field.left - 13, yOf(time));
   }
+}
+
+// Where one recording ends and the next begins; its name stands along both axes where it has room.
+function drawParts(pen) {
+  pen.font = `11.5px ${theme.font}`;
+  pen.textBaseline = "alphabetic";
+  pen.textAlign = "left";
+  for (const [k, { name, start, stop }] of clip.parts.entries()) {
+    const [from, to] = [xOf(start), xOf(stop)];
+    pen.fillStyle = theme.tokens.surface;
+    if (k) pen.fillRect(from - 1, field.upper - 8, 2, field.side + 8);
+    if (k) pen.fillRect(field.left - 8, from - field.left + field.upper - 1, field.side + 8, 2);
+    const word = fitting(pen, name, to - from - 6);
+    pen.fillStyle = theme.tokens.ink2;
+    pen.fillText(word, from, field.upper - 11);
+    pen.save();
+    pen.translate(field.left - 13, to - field.left + field.upper);
+    pen.rotate(-Math.PI / 2);
+    pen.fillText(word, 0, 0);
+    pen.restore();
+  }
+}
+
+// A name, or as much of its end as there is room for: recordings of one folder begin alike.
+function fitting(pen, name, room) {
+  if (pen.measureText(name).width <= room) return name;
+  let word = name;
+  while (word && pen.measureText("…" + word).width > room) word = word.slice(1);
+  return word.length > 1 ? "…" + word : "";
 }
 
 // Stretches as bars of 4 px along both edges: the bridge to the lanes.
@@ -162,7 +195,7 @@ function dotAt(pen, x, y, solid) {
 // Tag 1 is filled and stands left of its row, tag 2 outlined and above its column.
 function momentTag(pen, name, time, x, y, solid) {
   pen.font = `600 11.5px ${theme.font}`;
-  const text = `${name} ${clockWord(time)}`;
+  const text = `${name} ${momentClock(time)}`;
   const width = pen.measureText(text).width + 12;
   const left = clamp(solid ? x - width + 14 : x - width / 2, 1, field.box.clientWidth - width - 1);
   pen.beginPath();

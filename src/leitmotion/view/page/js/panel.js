@@ -35,7 +35,7 @@ function mostLikeNow() {
   for (const { time, distance } of found) {
     const figure = document.createElement("canvas");
     const held = stretchAt(time);
-    const words = make("span", "", [make("b", "", clockWord(time)), held ? chip(held.pattern) : "", make("small", "", `${apartWord(distance)} apart`)]);
+    const words = make("span", "", [make("b", "", momentClock(time)), held ? chip(held.pattern) : "", make("small", "", [`${apartWord(distance)} apart`, ...fromPart(time)])]);
     const button = make("button", "near", [figure, words], { type: "button" });
     button.addEventListener("click", () => hold({ one: Math.min(state.time, time), two: Math.max(state.time, time) }));
     box.append(button);
@@ -44,6 +44,8 @@ function mostLikeNow() {
   }
   return box;
 }
+
+const fromPart = (time) => (several ? [document.createElement("br"), partOf(time).name] : []);
 
 function twoMoments(pair) {
   const { distance, joints, farther } = compare(pair.one, pair.two);
@@ -54,7 +56,7 @@ function twoMoments(pair) {
     const narrow = innerWidth <= 1100 && !state.printing;
     const [height, width] = narrow ? [112, 80] : [clamp(stage.height * 0.36, 90, 150), 100];
     drawSmall(sized(canvas, width, height), time, { x: width / 2, base: height - 4, height: height - 8, width: width - 2, colour });
-    return make("figure", "", [canvas, make("span", "", [make("b", "", String(k + 1)), ` ${clockWord(time)}`])]);
+    return make("figure", "", [canvas, make("span", "", [make("b", "", String(k + 1)), ` ${momentClock(time)}`, ...fromPart(time)])]);
   });
   const box = make("div", "two", [make("h2", "", "Two moments"), make("div", "both", figures)]);
   if (Number.isNaN(distance)) {
@@ -87,7 +89,7 @@ const spoken = { at: 0, text: "", late: 0 };
 function sayNow(pair) {
   const sentence = pair ? pairSentence(pair) : nowSentence();
   field.top.setAttribute("aria-label", `${$("matrix-title").textContent}. ${sentence} Arrow keys move the cell, Enter holds it.`);
-  stage.canvas.setAttribute("aria-label", `The figure at ${clockWord(shownTime())} of ${clockWord(clip.seconds)}. ${sentence}`);
+  stage.canvas.setAttribute("aria-label", `The figure at ${momentWord(shownTime())} of ${clockWord(partOf(shownTime()).seconds ?? clip.seconds)}. ${sentence}`);
   clearTimeout(spoken.late);
   if (state.playing || sentence === spoken.text) return;
   const speak = () => {
@@ -104,6 +106,6 @@ function nowSentence() {
   const held = stretchAt(state.time);
   const [near] = nearestTo(state.time);
   const inside = held ? `, in ${patternName(held.pattern)}` : "";
-  const like = near ? `Most like it: ${clockWord(near.time)}, ${apartWord(near.distance)} apart.` : WORDS.none;
-  return `Now ${clockWord(state.time)}${inside}. ${like}`;
+  const like = near ? `Most like it: ${momentWord(near.time)}, ${apartWord(near.distance)} apart.` : WORDS.none;
+  return `Now ${momentWord(state.time)}${inside}. ${like}`;
 }

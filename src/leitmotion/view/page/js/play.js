@@ -5,14 +5,17 @@ const player = { before: 0 };
 function goTo(time) {
   if (state.held || state.hover) Object.assign(state, { held: false, second: null, stripe: null, hover: null });
   state.time = clamp(time, 0, clip.last);
+  // Among several recordings whoever goes elsewhere leaves the time that was chosen.
+  const left = several && state.take !== null && otherMoment(state.time) === null;
+  if (left) Object.assign(state, { pattern: null, take: null, other: null });
   keepHash();
-  redraw();
+  redraw(left ? "change" : "frame");
 }
 
 function play() {
   if (state.playing) return;
   if (!state.held && state.take !== null) rewindTakes();
-  if (!state.held && state.pattern === null && state.time >= clip.last - 1e-6) state.time = 0;
+  if (!state.held && state.pattern === null && state.time >= lastOf(state.time) - 1e-6) state.time = partOf(state.time).start;
   if (state.held && state.stripe === null) {
     const near = stripeNear(state.time, state.second);
     if (near) holdAlong(near.stripe, near.step);
@@ -49,17 +52,17 @@ function advance(seconds) {
   } else if (state.take !== null) playTakes(seconds);
   else if (state.pattern !== null) loopPattern(seconds);
   else {
-    state.time += seconds;
-    if (state.time >= clip.last) {
-      state.time = clip.last;
-      pause();
-    }
+    const last = lastOf(state.time);
+    state.time = Math.min(state.time + seconds, last);
+    if (state.time >= last) pause();
   }
 }
 
 // A pair that lies on no stripe goes on at the same pace until one of the two ends.
 function shiftPair(seconds) {
-  const by = clamp(seconds, -state.time, clip.last - state.second);
+  const [one, two] = [state.time, state.second];
+  const least = Math.max(partOf(one).start - one, partOf(two).start - two);
+  const by = clamp(seconds, least, Math.min(lastOf(one) - one, lastOf(two) - two));
   state.time += by;
   state.second += by;
   if (by < seconds - 1e-9) pause();
@@ -69,7 +72,7 @@ function loopPattern(seconds) {
   const { stretches } = patterns[state.pattern];
   const stretch = stretches[state.loop];
   state.time = state.time < stretch.start || state.time >= stretch.stop ? stretch.start : state.time + seconds;
-  if (state.time < Math.min(stretch.stop, clip.last)) return;
+  if (state.time < Math.min(stretch.stop, lastOf(stretch.start))) return;
   state.loop = (state.loop + 1) % stretches.length;
   state.time = stretches[state.loop].start;
   redraw("change");
@@ -77,6 +80,10 @@ function loopPattern(seconds) {
 
 // Choose a pattern and loop its stretches in turn; choosing it again clears it.
 function choosePattern(p, stretch = null) {
+  if (several) {
+    chooseShared(p, stretch);
+    return;
+  }
   if (state.take === null && state.pattern === p && (stretch === null || stretch === state.loop)) {
     clearPattern();
     return;
@@ -91,8 +98,15 @@ function choosePattern(p, stretch = null) {
   if (!reducedMotion.matches) play();
 }
 
+// Among several recordings a movement plays time by time, each beside another.
+function chooseShared(p, stretch) {
+  const inside = stretch === null ? null : patterns[p].stretches[stretch];
+  if (!inside && state.pattern === p) clearPattern();
+  else chooseTake(p, inside ? takeAt(p, inside.start, inside) : 0);
+}
+
 function clearPattern() {
-  Object.assign(state, { pattern: null, take: null });
+  Object.assign(state, { pattern: null, take: null, other: null });
   pause();
   keepHash();
   redraw("change");
@@ -106,7 +120,7 @@ function stepBy(seconds) {
   if (state.held && state.stripe !== null) walkStripe(Math.max(seconds, 0));
   if (state.held && state.stripe !== null && seconds < 0) walkBack(-seconds);
   else if (state.held && state.stripe === null) shiftPair(seconds);
-  else if (!state.held) state.time = clamp(state.time + seconds, 0, clip.last);
+  else if (!state.held) state.time = clamp(state.time + seconds, partOf(state.time).start, lastOf(state.time));
   keepHash();
   redraw();
 }
@@ -135,7 +149,11 @@ function setSpeed(by) {
 }
 
 on("frame", () => {
-  $("clock").textContent = clockWord(shownTime());
+  $("clock").textContent = momentClock(shownTime());
+  if (several) {
+    const { name, seconds } = partOf(shownTime());
+    $("clock-of").textContent = `of ${clockWord(seconds)}${state.pattern === null ? ` · ${name}` : ""}`;
+  }
 });
 on("change", () => {
   $("play").setAttribute("aria-label", state.playing ? "Pause" : "Play");
@@ -145,6 +163,12 @@ on("change", () => {
   looping.hidden = state.pattern === null;
   $("hints").hidden = state.pattern !== null;
   if (state.pattern === null) return;
+  if (state.take !== null && several) {
+    const [one, two] = [takeNow(), takesOf(state.pattern)[otherTake()]];
+    looping.replaceChildren(chip(state.pattern), ` 1 ${partOf(one.start).name}${two ? `, 2 ${partOf(two.start).name}` : ""}`);
+    looping.title = looping.textContent;
+    return;
+  }
   if (state.take !== null) {
     const count = takesOf(state.pattern).length;
     looping.replaceChildren(chip(state.pattern), ` ${state.take + 1} of ${count}${state.take ? "" : ", typical"}`);

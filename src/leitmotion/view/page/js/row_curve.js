@@ -14,7 +14,7 @@ const curves = [
   },
 ];
 
-(() => {
+if (!several) (() => {
   const canvas = make("canvas", "", [], { "aria-hidden": "true" });
   const title = make("p", "row-head", []);
   const element = make("div", "row curve", [title, canvas]);

@@ -5,9 +5,10 @@ const lanes = [];
 
 (() => {
   if (!patterns.length) {
-    timeRows.push({ order: 30, element: make("div", "row empty", make("p", "", payload.empty)) });
+    timeRows.push({ order: 35, element: make("div", "row empty", make("p", "", payload.empty)) });
     return;
   }
+  if (several) return;
   const element = make("div", "row lanes", [], { role: "group", "aria-label": "Patterns" });
   patterns.forEach((pattern, p) => {
     const lane = buildLane(pattern, p);
@@ -97,7 +98,7 @@ const stretchLabel = (p, k) => {
 // Cycles as fields, numbered where 18 px wide; below 4 px a cycle one plain fill and the count.
 function layBar(bar, pattern, stretch) {
   const width = across(stretch.stop - stretch.start);
-  bar.style.left = across(stretch.start) + "px";
+  bar.style.left = placeOf(stretch.start) + "px";
   bar.style.width = Math.max(width - 1, 3) + "px";
   bar.replaceChildren();
   bar.classList.toggle("plain-bar", pattern.kind !== "cyclic");

@@ -2,7 +2,7 @@
 
 const STRIP_APART = 78;
 
-(() => {
+if (!several) (() => {
   const canvas = document.createElement("canvas");
   const element = make("div", "row strip", canvas, { "aria-hidden": "true" });
   seekable(element);

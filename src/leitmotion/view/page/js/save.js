@@ -12,11 +12,12 @@ function download(name, blob) {
 
 function tableText() {
   const quote = (value) => (/[",\n]/.test(String(value)) ? `"${String(value).replaceAll('"', '""')}"` : String(value));
-  const lines = [["pattern", "name", "stretch", "start_s", "stop_s", "cycles", "cycle_s", "confidence", "reason"]];
+  const lines = [["pattern", "name", ...(several ? ["recording"] : []), "stretch", "start_s", "stop_s", "cycles", "cycle_s", "confidence", "reason"]];
   for (const { pattern, stretch, k, cycles, cycle } of tableRows()) {
     const name = state.names[pattern.id] || "";
-    const times = [stretch.start.toFixed(3), stretch.stop.toFixed(3)];
-    lines.push([pattern.id, name, k + 1, ...times, cycles, cycles ? cycle.toFixed(3) : "", pattern.confidence.toFixed(3), pattern.reason]);
+    const part = partOf(stretch.start);
+    const times = [stretch.start, stretch.stop].map((time) => (time - part.start).toFixed(3));
+    lines.push([pattern.id, name, ...(several ? [part.name] : []), k + 1, ...times, cycles, cycles ? cycle.toFixed(3) : "", pattern.confidence.toFixed(3), pattern.reason]);
   }
   return lines.map((line) => line.map(quote).join(",")).join("\r\n") + "\r\n";
 }

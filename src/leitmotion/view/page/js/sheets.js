@@ -27,9 +27,11 @@ function lessons() {
 
 const KEYS = [
   ["space", "play or pause"], ["← →", "one frame"], ["shift ← →", "one second"], ["A–H", "choose a pattern"],
-  ["L", "the lesson"], ["N P", "in it: next, previous"], ["R", "in it: loop this one"],
+  ["L", several ? "the movements, or most like now" : "the lesson"], ["N P", "in it: next, previous"],
+  ...(several ? [["shift N P", "compare with the next, the previous"], ["S", "side by side or overlaid"], ["T", "in step, or each at its own pace"]] : []),
+  ["R", "in it: loop this one"],
   ["Esc", "clear the choice or the pair"], ["[ ]", "slower, faster"], ["1 2 3 4", "camera"],
-  ["arrows", "on the matrix: move the cell; Enter holds it"], ["F2", "on a lane: name the pattern"], ["?", "this help"],
+  ["arrows", "on the matrix: move the cell; Enter holds it"], ["F2", several ? "on a movement: name it" : "on a lane: name the pattern"], ["?", "this help"],
 ];
 
 function buildHelp() {

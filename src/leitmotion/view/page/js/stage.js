@@ -25,10 +25,12 @@ function drawStage() {
   const pair = pairOnShow() || variationOnShow(now);
   postureAt(now, posture);
   const camera = (stage.camera = stageCamera(now));
-  if (!clip.flat) {
-    drawGrid(pen, camera);
-    drawWay(pen, camera);
+  if (!clip.flat) drawGrid(pen, camera);
+  if (isBeside()) {
+    drawBeside(pen, camera, now);
+    return;
   }
+  if (!clip.flat) drawWay(pen, camera);
   const seen = !Number.isNaN(rootOf(posture)[0]);
   if (seen && !clip.flat) drawShadow(pen, camera, posture);
   const ghost = ghostMoment(pair, now);
@@ -39,10 +41,10 @@ function drawStage() {
   else if (figureHeight(camera) >= 240) drawSides(pen, camera);
 }
 
-// In a lesson a variation is shown over the typical time.
+// In a lesson a variation is shown over the typical time, among several recordings over any other.
 function variationOnShow(now) {
-  const typical = state.ghost ? typicalMoment(now) : null;
-  return typical === null ? null : { one: now, two: typical };
+  const other = state.ghost ? otherMoment(now) : null;
+  return other === null ? null : { one: now, two: other };
 }
 
 // The moment that is laid under the figure: the second of a pair, else the one most like now.
@@ -107,17 +109,19 @@ const way = (() => {
   const root = [0, 0, 0];
   for (let frame = 0; frame < clip.frames; frame++) {
     const time = frame / clip.rate;
+    if (frame && firstFrames.has(frame)) points.push(null);
     rootOf(postureAt(time, at), root);
     if (Number.isNaN(root[0])) {
       if (points.length) points.push(null);
       continue;
     }
     const before = points.at(-1);
+    const part = partAt(time);
     const held = stretchAt(time);
     const pattern = held ? held.pattern : null;
     const moved = before ? Math.hypot(root[0] - before.x, root[2] - before.z) : 1;
     if (before && moved < 0.06 && (before.pattern === pattern || moved < 0.015)) continue;
-    points.push({ x: root[0], z: root[2], pattern });
+    points.push({ x: root[0], z: root[2], pattern, part });
   }
   return points;
 })();
@@ -126,8 +130,9 @@ function drawWay(pen, camera) {
   const at = {};
   const runs = new Map();
   let before = null;
+  const part = partAt(shownTime());
   for (const point of way) {
-    const seen = point && project(camera, point.x, clip.floor, point.z, at).depth > 0.3;
+    const seen = point && point.part === part && project(camera, point.x, clip.floor, point.z, at).depth > 0.3;
     const here = seen ? { x: at.x, y: at.y, pattern: point.pattern } : null;
     if (here && before) {
       if (!runs.has(here.pattern)) runs.set(here.pattern, new Path2D());
@@ -198,7 +203,7 @@ function drawTrails(pen, camera, now) {
   const points = TIPS.map(() => []);
   for (let k = 0; k <= steps; k++) {
     const time = now - TRAIL_S * (1 - k / steps);
-    if (time < 0) continue;
+    if (time < partOf(now).start) continue;
     postureAt(time, at);
     TIPS.forEach((tip, n) => {
       const p = pointOf(at, tip.role);

@@ -16,7 +16,10 @@ const state = {
   loop: 0, // which of its stretches plays
   lesson: false, // whether the lesson takes the panel's place
   take: null, // which time of the chosen pattern the lesson plays: 0 is the typical one
-  repeat: false, // whether it plays that one again and again
+  repeat: several, // whether it plays that one again and again
+  other: null, // of several recordings: which time it is compared with; null is the usual one
+  beside: false, // whether they stand side by side, not over one another
+  inStep: true, // whether they go moment by moment, not each at its own pace
   bar: null, // the pattern whose bar is pointed at
   camera: "room",
   turn: 0,
@@ -62,6 +65,9 @@ function drawNow() {
 }
 const cost = { last: 0, frames: 0 };
 
+// Of several recordings what they share stands beside the figure from the start.
+const opensWithLesson = several && Boolean(payload.lesson);
+
 const short = (value, digits = 2) => String(Number(value.toFixed(digits)));
 
 function writeHash() {
@@ -69,9 +75,12 @@ function writeHash() {
   parts.set("t", short(state.time));
   if (state.held) parts.set("u", short(state.second));
   if (state.pattern !== null) parts.set("pattern", patterns[state.pattern].id);
-  if (state.lesson) parts.set("lesson", "1");
+  if (state.lesson !== opensWithLesson) parts.set("lesson", state.lesson ? "1" : "0");
   if (state.take !== null) parts.set("take", String(state.take + 1));
-  if (state.repeat) parts.set("repeat", "1");
+  if (state.repeat !== several) parts.set("repeat", state.repeat ? "1" : "0");
+  if (state.other !== null) parts.set("other", String(state.other + 1));
+  if (state.beside) parts.set("beside", "1");
+  if (!state.inStep) parts.set("step", "0");
   if (state.camera !== "room") parts.set("camera", state.camera);
   if (state.turn) parts.set("turn", short(state.turn));
   if (state.tilt) parts.set("tilt", short(state.tilt));
@@ -105,9 +114,16 @@ function readHash(hash = location.hash) {
   const takes = chosen < 0 ? 0 : takesOf(chosen).length;
   const take = number("take", null, 1, Math.max(takes, 1));
   state.take = takes && take !== null ? Math.round(take) - 1 : null;
-  if (state.take !== null && !parts.has("t")) state.time = takesOf(chosen)[state.take].start;
-  state.lesson = lessonSteps.length > 0 && (parts.get("lesson") === "1" || state.take !== null);
-  state.repeat = parts.get("repeat") === "1";
+  const played = state.take === null ? null : takesOf(chosen)[state.take];
+  const away = played && (state.time < played.start || state.time > played.stop);
+  if (played && (!parts.has("t") || (several && away))) state.time = played.start;
+  const asked = parts.has("lesson") ? parts.get("lesson") === "1" : opensWithLesson;
+  state.lesson = lessonSteps.length > 0 && (asked || state.take !== null);
+  state.repeat = parts.has("repeat") ? parts.get("repeat") === "1" : several;
+  const other = number("other", null, 1, Math.max(takes, 1));
+  state.other = several && takes && other !== null ? Math.round(other) - 1 : null;
+  state.beside = several && parts.get("beside") === "1";
+  state.inStep = parts.get("step") !== "0";
   state.camera = CAMERAS.includes(parts.get("camera")) ? parts.get("camera") : "room";
   state.turn = number("turn", 0, -1e3, 1e3);
   state.tilt = number("tilt", 0, -1.6, 1.6);

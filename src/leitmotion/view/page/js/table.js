@@ -1,6 +1,6 @@
 // The table holds everything the lanes show.
 
-const COLUMNS = ["Pattern", "From", "To", "Lasts", "Cycles", "One cycle", "Confidence"];
+const COLUMNS = ["Pattern", ...(several ? ["Recording"] : []), "From", "To", "Lasts", "Cycles", "One cycle", "Confidence"];
 
 // As the heads of the lanes: the median, so that one cycle cut short does not tell.
 function median(lengths) {
@@ -33,10 +33,10 @@ function buildTable() {
     button.type = "button";
     button.dataset.stretch = `${p} ${k}`;
     const cells = [
-      clockWord(stretch.start), clockWord(stretch.stop), `${(stretch.stop - stretch.start).toFixed(1)} s`,
+      ...(several ? [partOf(stretch.start).name] : []), momentClock(stretch.start), clockWord(stretch.stop - partOf(stretch.start).start), `${(stretch.stop - stretch.start).toFixed(1)} s`,
       cycles || "–", cycles ? `${cycle.toFixed(2)} s` : "–", pattern.confidence.toFixed(2),
     ].map((text) => make("td", "", String(text)));
-    cells[5].title = pattern.reason;
+    cells.at(-1).title = pattern.reason;
     const row = make("tr", "", [make("td", "", [button, make("span", "given-name", "")]), ...cells]);
     row.addEventListener("click", () => choosePattern(p, k));
     body.append(row);

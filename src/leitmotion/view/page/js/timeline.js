@@ -4,7 +4,8 @@
 const timeRows = [];
 const timeline = { element: $("timeline"), left: 0, width: 0, marks: [], lines: [] };
 
-const across = (time) => (time / clip.seconds) * timeline.width;
+const across = (seconds) => (seconds / clip.span) * timeline.width;
+const placeOf = (time) => across(ownTime(time));
 
 function buildTimeline() {
   timeRows.sort((a, b) => a.order - b.order);
@@ -25,7 +26,7 @@ on("layout", () => {
   for (const mark of timeline.marks) mark.remove();
   timeline.marks = [];
   const step = tickStep(timeline.width > 500 ? 8.2 : 4.2);
-  for (let time = step; time < clip.seconds; time += step) {
+  for (let time = step; time < clip.span; time += step) {
     const mark = make("i", "grid-line");
     mark.style.left = timeline.left + across(time) + "px";
     timeline.marks.push(mark);
@@ -37,8 +38,8 @@ on("change", () => timeRows.forEach((row) => row.change?.()));
 on("frame", () => {
   const pair = pairOnShow();
   // Tags of two near moments stand side by side.
-  const two = pair ? pair.two : typicalMoment(state.time);
-  const near = two === null ? Infinity : across(two - shownTime());
+  const two = pair ? pair.two : otherMoment(state.time);
+  const near = two === null ? Infinity : placeOf(two) - placeOf(shownTime());
   const push = (Math.max(0, TAG_WIDTH - Math.abs(near)) / 2) * (near < 0 ? -1 : 1);
   moveLine(0, shownTime(), two === null ? "" : "1 ", -push);
   moveLine(1, two, "2 ", push);
@@ -51,9 +52,9 @@ function moveLine(which, time, prefix, push) {
   const { line, tag } = timeline.lines[which];
   line.hidden = time === null;
   if (time === null) return;
-  const x = timeline.left + across(time);
+  const x = timeline.left + placeOf(time);
   line.style.transform = `translateX(${x.toFixed(2)}px)`;
-  const word = prefix + clockWord(time);
+  const word = prefix + momentClock(time);
   if (tag.textContent !== word) tag.textContent = word;
   const half = (word.length * 6.6 + 14) / 2;
   const middle = x + push;
@@ -65,7 +66,8 @@ function moveLine(which, time, prefix, push) {
 function seekable(element) {
   const seek = (event) => {
     const box = timeline.element.getBoundingClientRect();
-    goTo(((event.clientX - box.left - 1 - timeline.left) / timeline.width) * clip.seconds);
+    const { start, stop } = partOf(state.time);
+    goTo(start + clamp(((event.clientX - box.left - 1 - timeline.left) / timeline.width) * clip.span, 0, stop - start - 1 / clip.rate));
   };
   element.addEventListener("pointerdown", (event) => {
     if (event.button) return;
@@ -90,7 +92,7 @@ function seekable(element) {
       track.replaceChildren();
       const fine = step / ({ 0.2: 4, 2: 4, 30: 6, 60: 6, 120: 4, 1800: 6, 3600: 6 }[step] || 5);
       const minor = across(fine) >= 7 ? fine : step;
-      for (let k = 0; k * minor < clip.seconds - 1e-6; k++) {
+      for (let k = 0; k * minor < clip.span - 1e-6; k++) {
         const time = k * minor;
         const major = Math.abs(time / step - Math.round(time / step)) < 1e-6;
         const mark = make("i", major ? "mark major" : "mark");

@@ -8,6 +8,10 @@ function clockWord(seconds, digits = 1) {
   return `${minutes}:${rest.padStart(digits ? 3 + digits : 2, "0")}`;
 }
 
+// A moment as a person reads it: the clock of its own recording, and where there are several, which one.
+const momentClock = (time) => clockWord(ownTime(time));
+const momentWord = (time) => (several ? `${partOf(time).name} ${momentClock(time)}` : momentClock(time));
+
 const UNIT = payload.distance.unit;
 const spaced = UNIT === "°" ? UNIT : " " + UNIT;
 const shown = (distance) => distance * payload.distance.factor;
@@ -31,7 +35,7 @@ const patternName = (p) => state.names[patterns[p].id] || `pattern ${patterns[p]
 function pairSentence(pair) {
   const { distance, farther } = compare(pair.one, pair.two);
   const where = sharedPattern(pair.one, pair.two);
-  const moments = `Moments ${clockWord(pair.one)} and ${clockWord(pair.two)}`;
+  const moments = `Moments ${momentWord(pair.one)} and ${momentWord(pair.two)}`;
   if (Number.isNaN(distance)) return `${moments}. ${WORDS.unknown}`;
   const how = `${moments} are ${farther ? "more than " : ""}${apartWord(distance)} apart, on average.`;
   return where === null ? `${how} ${WORDS.apartPatterns}` : `${how} Both in ${patternName(where)}.`;
