@@ -2,9 +2,12 @@
 
 import itertools
 import tracemalloc
+from pathlib import Path
 
 import numpy as np
 import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
 
 import leitmotion as lm
 from leitmotion.discovery import Pattern, Patterns, align_occurrences, make_lesson, typical_occurrence
@@ -163,3 +166,71 @@ def test_a_lesson_is_saved_and_loaded(tmp_path) -> None:  # type: ignore[no-unty
     lesson = make_lesson(hand([bump(0.3)] * 3), Patterns((pattern([60] * 3),), (), RATE, {}))
     lm.save(lesson, tmp_path / "lesson.npz")
     assert lm.load(tmp_path / "lesson.npz") == lesson
+
+
+def circling(cycles: float, *, frames: int = 60, begin: float = 0.0, slow: float = 1.0) -> np.ndarray:
+    """A hand that goes round and up and down, from some phase on, (T, 3) body sizes."""
+    t = 2 * np.pi * (begin + np.arange(round(cycles * frames * slow)) / (frames * slow))
+    return np.stack([0.3 * np.cos(t), 0.2 * np.sin(2 * t + 0.4), 0.3 * np.sin(t)], axis=1)
+
+
+def runs(*parts: np.ndarray) -> FeatureSequence:
+    """Parts of one recording; the joint that is compared is the right hand."""
+    whole = np.concatenate(parts)
+    return FeatureSequence(whole, ("right_hand",), RATE, invariant_to=("place", "yaw"), width=3, scale=1.5)
+
+
+@pytest.mark.parametrize(("begin", "slow"), [(0.3, 1.0), (0.6, 1.0), (0.25, 1.2)])
+def test_a_run_cut_at_another_phase_differs_by_its_cut_alone(begin: float, slow: float) -> None:
+    """Two runs of one circling; in the second the cuts lie at another phase, as a search may set them."""
+    features = runs(circling(3), circling(3, begin=begin, slow=slow))
+    starts = [0, 60, 120, 180 + round(60 * slow)]
+    spans = Segmentation(starts, [60, 120, 180, starts[3] + round(60 * slow)], rate=RATE)
+    (step,) = make_lesson(
+        features, Patterns((Pattern("A", "cyclic", spans, spans, 1.0, 0.0, 1.0),), (), RATE, {})
+    ).steps
+    *same, cut = step.variations
+    assert [each.shift_s for each in same] == [0.0, 0.0]
+    assert cut.occurrence == 3
+    behind = (0.5 - begin) % 1 - 0.5  # of a cycle
+    assert cut.shift_s == pytest.approx(behind * slow * 60 / RATE, abs=0.07)
+    assert cut.tempo == pytest.approx(1 / slow, abs=0.06)
+    assert cut.distance < 0.025
+    assert cut.differences[0].distance < 0.06
+    assert abs(cut.lag_s) < 0.1
+
+
+def test_what_differs_in_movement_is_not_taken_for_another_cut() -> None:
+    features = hand([bump(0.3), bump(0.6), bump(0.3, at=0.3), bump(0.25)])
+    (step,) = make_lesson(features, Patterns((pattern([60] * 4),), (), RATE, {})).steps
+    assert {each.shift_s for each in step.variations} == {0.0}
+    for each in step.variations:
+        assert (each.path[0, 1], each.path[-1, 1]) == pytest.approx((each.start, each.stop - 1), abs=2)
+
+
+@given(st.lists(st.integers(2, 90), min_size=2, max_size=5), st.integers(0, 2**32 - 1))
+@settings(max_examples=30, deadline=None)
+def test_any_lengths_make_a_lesson_within_the_recording(lengths: list[int], seed: int) -> None:
+    values = np.random.default_rng(seed).normal(size=(sum(lengths), 3)).cumsum(axis=0)
+    values[np.random.default_rng(seed).random(len(values)) < 0.1] = np.nan
+    (step,) = make_lesson(runs(values), Patterns((pattern(lengths),), (), RATE, {})).steps
+    for each in step.variations:
+        assert each.path.min() >= 0
+        assert each.path.max() < len(values)
+        assert (np.diff(each.path, axis=0) >= 0).all()
+        assert each.tempo > 0
+
+
+@pytest.mark.data
+def test_two_runs_of_a_walk_cut_half_a_cycle_apart(data: Path) -> None:
+    """CMU 86_01: the first run is cut a step away from the others; no ankle is 40 cm off."""
+    features = lm.features.posture(lm.embody(lm.read(data / "cmu86" / "86_01.amc")))
+    spans = Segmentation([84, 312, 2544, 2760, 2988], [312, 492, 2760, 2988, 3228], rate=120)
+    walk = Pattern("A", "cyclic", spans, spans, 1.9, 0.0, 1.0)
+    (step,) = make_lesson(features, Patterns((walk,), (), 120.0, {})).steps
+    moved = [each.shift_s for each in step.variations if each.occurrence < 2]
+    assert moved == pytest.approx([1.0, -0.75], abs=0.15)
+    assert all(each.shift_s == 0.0 for each in step.variations if each.occurrence >= 2)
+    for each in step.variations:
+        assert each.distance * features.scale < 0.035
+        assert max(one.distance for one in each.differences) * features.scale < 0.25

@@ -55,3 +55,11 @@ def test_what_no_person_would_see_is_left_out() -> None:
 def test_lengths_are_centimetres_or_shares_of_the_body() -> None:
     assert length_words(0.028, METRES) == "4.2 cm"
     assert length_words(0.028, METRES.replace(unit="px")) == "2.8 % of body size"
+
+
+def test_another_cut_is_told_last_and_not_as_a_way_of_moving() -> None:
+    cut = variation().replace(shift_s=-0.74)
+    assert variation_words(cut, METRES) == [
+        AS_TYPICAL,
+        "cut elsewhere: compared from 0.7 s earlier on",
+    ]

@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 OF_ONE = (".html", ".eaf")
 COLUMNS = (
     "path", "rank", "pattern", "kind", "role", "occurrence", "start", "stop", "start_s", "stop_s",
-    "distance", "apart_cm", "tempo", "lag_s", "lag_at", "joint", "joint_apart_cm", "joint_at", "words",
+    "distance", "apart_cm", "tempo", "lag_s", "lag_at", "shift_s", "joint", "joint_apart_cm", "joint_at", "words",
 )  # fmt: skip
 """Columns of the table, one row per occurrence, the typical one of each pattern first."""
 
@@ -123,6 +123,7 @@ def _steps(lesson: Lesson) -> list[Document]:
                     "tempo": round(each.tempo, SCORE_DIGITS),
                     "lag_s": round(each.lag_s, SCORE_DIGITS),
                     "lag_at": round(each.lag_phase, SCORE_DIGITS),
+                    "shift_s": round(each.shift_s, SCORE_DIGITS),
                     "differences": [
                         {"joint": one.joint}
                         | lengths(one.distance)

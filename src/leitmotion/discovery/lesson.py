@@ -3,9 +3,11 @@
 Conventions
 -----------
 The *typical* occurrence of a pattern is the one nearest to all others (:func:`typical_occurrence`). Each other one is
-laid over it in time. Where they differ most is looked for between a tenth and nine tenths of the movement, as borders
-are uncertain. *Phase* is the share of the typical occurrence that has passed, 0 to 1. Places are as
-:func:`leitmotion.features.posture` has them: x to the person's left, y up, z ahead, in body sizes.
+laid over it in time; one that was cut at another phase is laid from where it is in the same phase on, and how far that
+is from its own first frame is told apart, as ``shift_s``: it is no way of moving. Where they differ most is looked for
+between a tenth and nine tenths of the movement, as borders are uncertain. *Phase* is the share of the typical
+occurrence that has passed, 0 to 1. Places are as :func:`leitmotion.features.posture` has them: x to the person's left,
+y up, z ahead, in body sizes.
 
 References
 ----------
@@ -18,7 +20,13 @@ from __future__ import annotations
 import numpy as np
 
 from leitmotion.discovery.pattern import Pattern, Patterns
-from leitmotion.discovery.typical import align_occurrences, at_moments, typical_occurrence
+from leitmotion.discovery.typical import (
+    WORKING_RATE,
+    align_elsewhere,
+    align_occurrences,
+    at_moments,
+    typical_occurrence,
+)
 from leitmotion.features.sequence import FeatureSequence
 from leitmotion.motion.errors import ParameterError
 from leitmotion.motion.noun import Noun, check_rate, noun, set_array
@@ -67,7 +75,7 @@ class Variation(Noun):
     distance : float
         Mean distance of the joints along the warping path, body sizes.
     tempo : float
-        How fast it is: 1.25 takes four fifths of the time of the typical one.
+        How fast it is, from phase to phase: 1.25 takes four fifths of the time of the typical one.
     lag_s : float
         By how many seconds it is behind the typical one where that is most, both stretched to its length; negative:
         ahead.
@@ -77,6 +85,10 @@ class Variation(Noun):
         The joints that differ most, farthest first.
     path : (K, 2) int
         Frames of the recording, of the typical occurrence and of this one, that belong together.
+    shift_s : float
+        How long after its first frame the phase begins with which the typical one begins, seconds; negative: before.
+        0 unless the two were cut at different phases: then the path, and all that is told along it, begins and ends
+        outside of [`start`, `stop`).
     """
 
     occurrence: int
@@ -88,6 +100,7 @@ class Variation(Noun):
     lag_phase: float
     differences: tuple[Difference, ...]
     path: np.ndarray
+    shift_s: float = 0.0
 
     def __post_init__(self) -> None:
         set_array(self, "path", dtype=np.int64, shape=(None, 2))
@@ -219,8 +232,12 @@ def _step(pattern: Pattern, features: FeatureSequence) -> Step:
 
 def _variation(pattern: Pattern, typical: int, k: int, features: FeatureSequence) -> Variation:
     spans = pattern.occurrences
-    laid = align_occurrences(pattern, typical, k, features)
+    elsewhere = align_elsewhere(pattern, typical, k, features)
+    laid = elsewhere or align_occurrences(pattern, typical, k, features)
     lengths = spans.stops[[typical, k]] - spans.starts[[typical, k]]
+    start = int(spans.starts[k])
+    if elsewhere is not None:
+        lengths[1] = laid.path[-1, 1] - laid.path[0, 1] + max(1, round(spans.rate / WORKING_RATE))
     phases = (laid.path - laid.path[0]) / np.maximum(laid.path[-1] - laid.path[0], 1)
     inner = (phases[:, 0] >= EDGE) & (phases[:, 0] <= 1 - EDGE)
     inner |= ~inner.any()
@@ -228,7 +245,7 @@ def _variation(pattern: Pattern, typical: int, k: int, features: FeatureSequence
     most = int(np.abs(lags).argmax())
     return Variation(
         occurrence=k,
-        start=int(spans.starts[k]),
+        start=start,
         stop=int(spans.stops[k]),
         distance=laid.cost,
         tempo=float(lengths[0] / lengths[1]),
@@ -236,6 +253,7 @@ def _variation(pattern: Pattern, typical: int, k: int, features: FeatureSequence
         lag_phase=float(phases[most, 0]),
         differences=_differences(laid.path[inner] / spans.rate, phases[inner, 0], features),
         path=laid.path,
+        shift_s=float((laid.path[0, 1] - start) / spans.rate) if elsewhere is not None else 0.0,
     )
 
 

@@ -18,6 +18,10 @@ from leitmotion.similarity import Alignment, align, cross_distance
 
 WORKING_RATE = 30.0  # hertz
 MOMENTS = 2000  # of an occurrence, at most
+SAME_CUT = 0.75
+"""Of the distance from border to border: what is not nearer elsewhere than this was not cut at another phase."""
+SHORTEST = 8
+"""Moments of the shortest occurrence that has a phase to be cut at."""
 COMPARED = 40  # occurrences that may become the typical one, and others that each is aligned with
 
 
@@ -89,16 +93,65 @@ def align_occurrences(pattern: Pattern, k: int, m: int, features: FeatureSequenc
         the mean distance along it.
     """
     check_features(pattern, features)
-    spans = pattern.occurrences
-    longest = float((spans.stops - spans.starts)[[k, m]].max()) / spans.rate
-    rate = min(WORKING_RATE, MOMENTS / longest)
-    rows, columns = (_moments(spans, n, rate) for n in (k, m))
-    a, b = (at_moments(features, moments) for moments in (rows, columns))
-    distances = cross_distance(a, b).values.astype(np.float64)
+    rows, columns, _ = _both(pattern.occurrences, k, m)
+    distances = _distances(features, rows, columns)
     known = np.isfinite(distances)
     laid = align(np.where(known, distances, distances[known].max(initial=0.0)))
+    return _in_frames(laid, rows, columns, pattern.occurrences.rate)
+
+
+def align_elsewhere(pattern: Pattern, k: int, m: int, features: FeatureSequence) -> Alignment | None:
+    """Lay one occurrence over another that was cut at another phase; None where it was not.
+
+    A walk that is cut at the left step in one run and at the right step in another differs at every moment, though the
+    walks are alike. So the whole of `k` is also looked for around `m`, up to half of the shorter of the two beyond its
+    borders, at half to twice the speed. That the distance falls to three quarters or less of what it is from border to
+    border shows that the cut is what differed.
+
+    Parameters
+    ----------
+    pattern, k, m, features
+        As for :func:`align_occurrences`.
+
+    Returns
+    -------
+    Alignment or None
+        As :func:`align_occurrences` gives it; the second column of `path` may begin and end outside of `m`.
+    """
+    spans = pattern.occurrences
+    rows, own, rate = _both(spans, k, m)
+    beyond = np.arange(1, min(len(rows), len(own)) // 2 + 1) / rate
+    columns = np.concatenate((own[0] - beyond[::-1], own, own[-1] + beyond))
+    columns = columns[(columns >= 0) & (columns <= (len(features) - 1) / features.rate)]
+    if len(rows) < SHORTEST or len(columns) < len(rows):
+        return None
+    distances = _distances(features, rows, columns)
+    known = np.isfinite(distances)
+    if not (known.any(axis=0).all() and known.any(axis=1).all()):
+        return None  # nobody saw all that would be compared
+    filled = np.where(known, distances, distances[known].max())
+    free = align(filled, step="symmetricP1", open_begin=True, open_end=True)
+    if free.cost > SAME_CUT * align_occurrences(pattern, k, m, features).cost:
+        return None
+    return _in_frames(free, rows, columns, spans.rate)
+
+
+def _both(spans: Segmentation, k: int, m: int) -> tuple[np.ndarray, np.ndarray, float]:
+    """Moments of two stretches, seconds, and how many there are a second: fewer where they last minutes."""
+    longest = float((spans.stops - spans.starts)[[k, m]].max()) / spans.rate
+    rate = min(WORKING_RATE, MOMENTS / longest)
+    return _moments(spans, k, rate), _moments(spans, m, rate), rate
+
+
+def _distances(features: FeatureSequence, rows: np.ndarray, columns: np.ndarray) -> np.ndarray:
+    """Distances of moments, seconds, to others; NaN where nothing of both was seen."""
+    a, b = (at_moments(features, moments) for moments in (rows, columns))
+    return cross_distance(a, b).values.astype(np.float64)
+
+
+def _in_frames(laid: Alignment, rows: np.ndarray, columns: np.ndarray, rate: float) -> Alignment:
     path = np.stack((rows[laid.path[:, 0]], columns[laid.path[:, 1]]), axis=1)
-    return laid.replace(path=np.round(path * spans.rate).astype(np.int64))
+    return laid.replace(path=np.round(path * rate).astype(np.int64))
 
 
 def at_moments(features: FeatureSequence, moments: np.ndarray) -> FeatureSequence:

@@ -52,7 +52,7 @@ def variation_words(variation: Variation, lesson: Lesson) -> list[str]:
     named = [each for each in variation.differences if _is_worth_naming(each, lesson)][:NAMED]
     told = [difference_words(each, lesson) for each in named]
     told += [word for word in (tempo_words(variation.tempo), lag_words(variation)) if word]
-    return told or [AS_TYPICAL]
+    return [*(told or [AS_TYPICAL]), *filter(None, [shift_words(variation)])]
 
 
 def difference_words(difference: Difference, lesson: Lesson) -> str:
@@ -137,6 +137,14 @@ def lag_words(variation: Variation) -> str:
     return f"{abs(variation.lag_s):.1f} s {when} at {100 * variation.lag_phase:.0f} %"
 
 
+def shift_words(variation: Variation) -> str:
+    """Say that one time was cut at another phase, and compared from where it is in that of the typical one."""
+    if not variation.shift_s:
+        return ""
+    when = "later" if variation.shift_s > 0 else "earlier"
+    return f"cut elsewhere: compared from {abs(variation.shift_s):.1f} s {when} on"
+
+
 def step_payload(step: Step, lesson: Lesson) -> dict[str, Any]:
     """Make of a movement what the page shows: its words, and its times in seconds, the typical one first.
 
@@ -150,12 +158,14 @@ def step_payload(step: Step, lesson: Lesson) -> dict[str, Any]:
     Returns
     -------
     dict
-        `times`, `seconds` in words; `takes` with `start`, `stop`, `apart` in words, `distance` in body sizes, `words`,
+        `times`, `seconds` in words; `takes` with `start`, `stop`, `cut` (its own
+        borders), `apart` in words, `distance` in body sizes, `words`,
         and the `length` of their paths.
     """
     typical = {
         "start": step.start / lesson.rate,
         "stop": step.stop / lesson.rate,
+        "cut": [step.start / lesson.rate, step.stop / lesson.rate],
         "apart": "",
         "distance": 0.0,
         "words": [],
@@ -168,8 +178,9 @@ def step_payload(step: Step, lesson: Lesson) -> dict[str, Any]:
             typical,
             *(
                 {
-                    "start": each.start / lesson.rate,
-                    "stop": each.stop / lesson.rate,
+                    "start": each.path[0, 1] / lesson.rate if each.shift_s else each.start / lesson.rate,
+                    "stop": (each.path[-1, 1] + 1) / lesson.rate if each.shift_s else each.stop / lesson.rate,
+                    "cut": [each.start / lesson.rate, each.stop / lesson.rate],
                     "apart": length_words(each.distance, lesson),
                     "distance": round(each.distance, 4),
                     "words": variation_words(each, lesson),

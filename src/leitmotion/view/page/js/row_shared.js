@@ -156,7 +156,7 @@ function buildBar(pattern, p, stretch, k, timeAt) {
 
 // Which time of a movement a moment belongs to: the one around it, else the nearest in its stretch.
 function takeAt(p, time, stretch) {
-  const away = ({ start, stop }) => Math.max(start - time, time - stop, 0) + (start < stretch.start - 0.05 || stop > stretch.stop + 0.05 ? 1e3 : 0);
+  const away = ({ cut: [start, stop] }) => Math.max(start - time, time - stop, 0) + (start < stretch.start - 0.05 || stop > stretch.stop + 0.05 ? 1e3 : 0);
   const takes = takesOf(p);
   return takes.reduce((best, take, k) => (away(take) < away(takes[best]) ? k : best), 0);
 }
@@ -167,10 +167,10 @@ function markTakes(bar, p, stretch) {
   const fields = [...bar.querySelectorAll("span")];
   marks.forEach((_, k) => fields.forEach((field) => field.classList.remove(k ? "two" : "one")));
   if (!marks.length) fields.forEach((field) => field.classList.remove("one", "two"));
-  const holds = (take) => Boolean(take) && take.start >= stretch.start - 0.05 && take.stop <= stretch.stop + 0.05;
+  const holds = (take) => Boolean(take) && take.cut[0] >= stretch.start - 0.05 && take.cut[1] <= stretch.stop + 0.05;
   marks.forEach((take, k) => {
     if (!holds(take)) return;
-    const cycle = stretch.cycles.findIndex(([start]) => Math.abs(start - take.start) < 0.02);
+    const cycle = stretch.cycles.findIndex(([start]) => Math.abs(start - take.cut[0]) < 0.02);
     if (cycle >= 0 && fields[cycle]) fields[cycle].classList.add(k ? "two" : "one");
   });
   bar.classList.toggle("one", holds(marks[0]) && !stretch.cycles.length);
