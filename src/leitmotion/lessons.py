@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
-from leitmotion.body import Body
+from leitmotion.body import Body, map_of
 from leitmotion.describing import BY_ROLE, Roles, described
 from leitmotion.discovery import Lesson, Patterns
 from leitmotion.discovery import make_lesson as lesson_of
@@ -63,7 +63,8 @@ def summarize(
             "A summary is made of a recording, got a Body.", remedy="Give the Motion or Trajectories itself."
         )
     found = _found(recording, patterns, joints, exclude, body_map, options)
-    return summary_of(recording, found, _postures(recording, found, joints, exclude, body_map))
+    postures = _postures(recording, found, joints, exclude, body_map)
+    return summary_of(recording, found, postures, map_of(recording, body_map))
 
 
 def make_lesson(

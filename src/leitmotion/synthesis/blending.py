@@ -21,6 +21,7 @@ import numpy as np
 
 from leitmotion.motion import Motion, ParameterError, Trajectories, forward_kinematics
 from leitmotion.motion.rotations import conjugate, continuous, multiply, normalize, rotate, yaw_rotation
+from leitmotion.synthesis.footing import Leg, hold_feet
 
 Recording = Motion | Trajectories
 
@@ -45,7 +46,7 @@ class Joined(NamedTuple):
     starts: tuple[int, ...]
 
 
-def join(pieces: Sequence[Recording], seams: Sequence[int]) -> Joined:
+def join(pieces: Sequence[Recording], seams: Sequence[int], legs: tuple[Leg, ...] = ()) -> Joined:
     """Join pieces of one person into one recording.
 
     Within a seam local rotations turn along the shorter way and places go straight, by the smooth weight 3t² − 2t³. So
@@ -58,6 +59,8 @@ def join(pieces: Sequence[Recording], seams: Sequence[int]) -> Joined:
         At least one; of one skeleton or of the same points, at one rate.
     seams : sequence of int
         For each two neighbours the frames that they share; 0 puts them one after the other.
+    legs : tuple of Leg
+        Of a Motion: legs whose feet keep standing in a seam (:func:`leitmotion.synthesis.footing.hold_feet`).
 
     Returns
     -------
@@ -91,7 +94,7 @@ def join(pieces: Sequence[Recording], seams: Sequence[int]) -> Joined:
         placed = _placed(piece, to, carriers)
         starts.append(starts[-1] + len(before) - seam)
         if seam:
-            mixed = _mixed(before[len(before) - seam :], placed[:seam])
+            mixed = _mixed(before[len(before) - seam :], placed[:seam], legs)
             placed = _after_one_another([mixed, placed[seam:]]) if seam < len(placed) else mixed
         # what comes before the seam is settled; the rest may still be part of the next one
         held += [*([before[: len(before) - seam]] if seam < len(before) else []), placed]
@@ -159,13 +162,14 @@ def smooth_weights(count: int) -> np.ndarray:
     return t * t * (3.0 - 2.0 * t)
 
 
-def _mixed(a: Recording, b: Recording) -> Recording:
+def _mixed(a: Recording, b: Recording, legs: tuple[Leg, ...]) -> Recording:
     w = smooth_weights(len(a))[:, None, None]
     if isinstance(a, Motion) and isinstance(b, Motion):
-        return a.replace(
+        mixed = a.replace(
             local_positions=a.local_positions + w * (b.local_positions - a.local_positions),
             local_rotations=_turned(a.local_rotations, b.local_rotations, w),
         )
+        return hold_feet(mixed, a, b, legs) if legs else mixed
     return _mixed_points(a, b, w)  # type: ignore[arg-type]  # the pieces were checked to be of one kind
 
 

@@ -13,11 +13,13 @@ from typing import NamedTuple
 
 import numpy as np
 
+from leitmotion.body import BodyMap
 from leitmotion.discovery import Pattern, Patterns, align_occurrences, typical_occurrence
 from leitmotion.features import FeatureSequence
 from leitmotion.motion import DataError, Motion, ParameterError, Segmentation, Trajectories
 from leitmotion.motion.noun import Noun, noun
 from leitmotion.synthesis.blending import apart, join
+from leitmotion.synthesis.footing import legs_of
 
 SEAM_S = 0.3
 """Seconds of the shortest seam; also of what is compared to tell how long one must be."""
@@ -62,7 +64,12 @@ class _Piece(NamedTuple):
         return max(stop for _, _, stop in self.shown)
 
 
-def summarize(recording: Motion | Trajectories, patterns: Patterns, features: FeatureSequence) -> Summary:
+def summarize(
+    recording: Motion | Trajectories,
+    patterns: Patterns,
+    features: FeatureSequence,
+    roles: BodyMap | None = None,
+) -> Summary:
     """Show each pattern once, in the order in which they first appear in the recording.
 
     Of a pattern its typical occurrence is shown (:func:`leitmotion.discovery.typical_occurrence`); of a cyclic one two
@@ -80,6 +87,8 @@ def summarize(recording: Motion | Trajectories, patterns: Patterns, features: Fe
         What recurs in it.
     features : FeatureSequence
         What of each of its frames is compared to find the typical occurrences.
+    roles : BodyMap, optional
+        Which joints are hips, knees, ankles and toes: where they are known, feet that stand are held in the seams.
 
     Returns
     -------
@@ -108,7 +117,8 @@ def summarize(recording: Motion | Trajectories, patterns: Patterns, features: Fe
     spans = _with_context(pieces, seams, len(recording), shortest)
     lengths = [stop - start for start, stop in spans]
     fitting = [min(seam, lengths[k] // 2, lengths[k + 1] // 2) for k, seam in enumerate(seams)]
-    joined = join([recording[start:stop] for start, stop in spans], fitting)
+    legs = legs_of(recording, roles) if isinstance(recording, Motion) and roles is not None else ()
+    joined = join([recording[start:stop] for start, stop in spans], fitting, legs)
     shown = [
         (label, start + at - span[0], stop + at - span[0], start, stop)
         for piece, span, at in zip(pieces, spans, joined.starts, strict=True)
