@@ -157,7 +157,7 @@ function otherButton(take, k) {
 // Among several recordings the name of the one stands over its times.
 function recordingHead(takes, k) {
   if (!several || (k && partAt(takes[k].start) === partAt(takes[k - 1].start))) return [];
-  return [make("li", "take-part", partOf(takes[k].start).name, { title: partOf(takes[k].start).name })];
+  return [make("li", "take-part cut-name", cutName(partOf(takes[k].start).name), { title: partOf(takes[k].start).name })];
 }
 
 // Where there is room it takes the panel's place, and gives it back while two moments are on show.

@@ -85,16 +85,19 @@ function drawAxes(pen) {
   }
 }
 
+const LEAST_PART = 8; // pixels, on average: among more recordings lines would hide what they part
+
 // Where one recording ends and the next begins; its name stands along both axes where it has room.
 function drawParts(pen) {
   pen.font = `11.5px ${theme.font}`;
   pen.textBaseline = "alphabetic";
   pen.textAlign = "left";
+  const parted = field.side / clip.parts.length > LEAST_PART;
   for (const [k, { name, start, stop }] of clip.parts.entries()) {
     const [from, to] = [xOf(start), xOf(stop)];
     pen.fillStyle = theme.tokens.surface;
-    if (k) pen.fillRect(from - 1, field.upper - 8, 2, field.side + 8);
-    if (k) pen.fillRect(field.left - 8, from - field.left + field.upper - 1, field.side + 8, 2);
+    if (k && parted) pen.fillRect(from - 1, field.upper - 8, 2, field.side + 8);
+    if (k && parted) pen.fillRect(field.left - 8, from - field.left + field.upper - 1, field.side + 8, 2);
     const word = fitting(pen, name, to - from - 6);
     pen.fillStyle = theme.tokens.ink2;
     pen.fillText(word, from, field.upper - 11);

@@ -91,10 +91,13 @@ function keepLaneInSight(box, row) {
   else if (row.offsetTop + row.offsetHeight > box.scrollTop + box.clientHeight) box.scrollTop = row.offsetTop + row.offsetHeight - box.clientHeight;
 }
 
+// A long name is cut in its middle: files of one series differ at their end.
+function cutName(name) {
+  return [make("span", "", name.slice(0, -NAME_END)), make("span", "", name.slice(-NAME_END))];
+}
+
 function buildPart(part, n) {
-  // A long name is cut in its middle: files of one series differ at their end.
-  const name = make("strong", "", [make("span", "", part.name.slice(0, -NAME_END)), make("span", "", part.name.slice(-NAME_END))]);
-  const words = make("span", "", [name, " ", make("small", "", part.sub)]);
+  const words = make("span", "", [make("strong", "cut-name", cutName(part.name)), " ", make("small", "", part.sub)]);
   const head = make("button", "lane-head part-head", words, { type: "button", title: part.name, "aria-label": `Play ${part.name}, ${part.sub}` });
   const track = make("div", "track");
   const end = make("i", "part-end");

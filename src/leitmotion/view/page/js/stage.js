@@ -44,12 +44,12 @@ function drawStage() {
 // In a lesson a variation is shown over the typical time, among several recordings over any other.
 function variationOnShow(now) {
   const other = state.ghost ? otherMoment(now) : null;
-  return other === null ? null : { one: now, two: other };
+  return other === null ? null : { one: now, two: other, pattern: state.pattern };
 }
 
 // The moment that is laid under the figure: the second of a pair, else the one most like now.
 function ghostMoment(pair, now) {
-  if (pair) return { time: pair.two, pattern: sharedPattern(pair.one, pair.two) };
+  if (pair) return { time: pair.two, pattern: pair.pattern ?? sharedPattern(pair.one, pair.two) };
   if (!state.ghost) return null;
   const [found] = nearestTo(now);
   return found ? { time: found.time, pattern: sharedPattern(now, found.time) } : null;
