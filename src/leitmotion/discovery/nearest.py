@@ -90,7 +90,7 @@ def _sentence(best: Stripe, joined: Joined, found: SharedPatterns, limit: float)
         f"The nearest: {spans[0]} and {spans[1]} are {best.cost:.3f} apart on average{length}; "
         f"the limit is {limit:g}, at the second look {WIDER * limit:g}"
     )
-    if best.cost > limit:
+    if best.cost > WIDER * limit:
         return f"{told}."
     if best.contrast >= float(str(found.parameters["min_contrast"])):
         return f"{told}; they are near on average, but not near for long enough at a time."
