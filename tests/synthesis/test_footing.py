@@ -8,7 +8,8 @@ from leitmotion.datasets import Action, compose
 from leitmotion.motion import Motion, forward_kinematics
 from leitmotion.motion.rotations import geodesic_angle
 from leitmotion.synthesis import join
-from leitmotion.synthesis.footing import Leg, hold_feet, legs_of, planted
+from leitmotion.synthesis.blending import smooth_weights
+from leitmotion.synthesis.footing import Leg, _corrections, hold_feet, legs_of, planted
 
 RATE = 60.0
 
@@ -115,3 +116,19 @@ def test_overlapping_pieces_of_one_motion_are_that_motion_with_feet_held(
     joined = join([session[:200], session[160:300], session[270:]], [40, 30], legs)
     places = [forward_kinematics(motion).positions for motion in (joined.recording, session)]
     np.testing.assert_allclose(*places, atol=2e-4)
+
+
+@pytest.mark.parametrize(("stays", "comes"), [(0, 4), (3, 5), (36, 36), (36, 0), (33, 35), (10, 30), (32, 0)])
+def test_no_foot_is_torn_away_whenever_it_stands(stays: int, comes: int) -> None:
+    """A leg of 0.85 m whose foot stands for some frames at 0 and from some frame on 12 cm beside it."""
+    leg = Leg(0, 1, 2, 3, 0.85, 0.02)
+    frames, rate = 36, 120.0
+    first, last = np.full((frames, 3), 0.02), np.full((frames, 3), 0.02)
+    last[:, 0] += 0.12
+    first[stays:, 1], last[:comes, 1] = 0.2, 0.2
+    between = smooth_weights(frames)[:, None]
+    shift = _corrections((1 - between) * first + between * last, first, last, leg, rate)
+    assert shift is not None
+    jumps = np.linalg.norm(np.diff(shift[:, [0, 2]], axis=0), axis=1)
+    assert jumps.max() * rate < 3.0
+    assert np.linalg.norm(shift[[0, -1]][:, [0, 2]], axis=1).max() < 0.03

@@ -90,8 +90,8 @@ def hold_feet(mixed: Motion, before: Motion, after: Motion, legs: tuple[Leg, ...
 
     A foot that stands when the seam begins stays where it is for as long as it stands in the piece before; one that
     stands at the end is there from when it begins to stand in the piece after. Between the two the correction passes
-    smoothly from one to the other. A foot that stands all through, in two places, makes a step in the middle: 0.3 s, or
-    half of a shorter seam.
+    smoothly from one to the other. A foot that has no time for that, as one that stands all through in two places,
+    makes a step: 0.3 s, or half of a shorter seam.
 
     Parameters
     ----------
@@ -146,17 +146,17 @@ def _corrections(
     frames = len(at)
     stays = _leading(planted(first, leg, rate))
     comes = frames - _leading(planted(last, leg, rate)[::-1])
-    lift = 0.0
-    if stays >= comes:
-        away = float(np.linalg.norm((last - first)[(stays + comes) // 2 - 1, [0, 2]]))
+    if stays == 0 and comes == frames:
+        return None
+    lift, step = 0.0, min(round(STEP_S * rate), frames // 2)
+    if comes - stays < step:  # no time to go from one to the other: a step takes it from either
+        middle = (stays + comes) // 2
+        away = float(np.linalg.norm((last - first)[min(middle, frames - 1), [0, 2]]))
         if away < WORTH_A_STEP * leg.length:
             return None
         lift = float(np.clip(LIFT * away, LOWEST * leg.length, HIGHEST * leg.length))
-        step = min(round(STEP_S * rate), frames // 2)
-        middle = min(max((stays + comes) // 2, step // 2), frames - step // 2)
-        stays, comes = max(0, middle - step // 2), min(frames, middle - step // 2 + step)
-    elif stays == 0 and comes == frames:
-        return None
+        stays = min(max(middle - step // 2, 0), frames - step)
+        comes = stays + step
     shift = np.zeros_like(at)
     shift[:stays] = first[:stays] - at[:stays]
     shift[comes:] = last[comes:] - at[comes:]
