@@ -17,7 +17,7 @@ from leitmotion.io import LabelledPair, read_pairs
 
 Row = tuple[str, str, str]
 TABLE = Path(__file__).resolve().parent / "labels" / "posture_pairs.csv"
-FEATURES = ("posture", "velocity", "joint_angles", "joint_rotations")
+FEATURES = ("posture", "velocity", "joint_angles", "limb_directions", "joint_rotations")
 WEIGHTS = ("equal", "active")
 CHEAP = {
     "height of the pelvis alone": ["pelvis"],

@@ -120,8 +120,8 @@ def find_patterns(
         One person.
     method : {"recurrence", "tang2008"}
         How to search: by local alignment, without a parameter to set, or as paper P describes it.
-    features : {"posture", "velocity", "joint_angles", "joint_rotations", "marker_posture"}
-        What of a frame is compared (:data:`leitmotion.features.FEATURES`). Posture, velocity, joint angles and joint
+    features : {"posture", "velocity", "joint_angles", "limb_directions", "joint_rotations", "marker_posture"}
+        What of a frame is compared (:data:`leitmotion.features.FEATURES`). Posture, velocity, angles, directions and
         rotations are invariant to place, yaw, body size and unit; marker posture, all markers as paper P has them
         (eq. 1), to place and yaw. What counts as alike was calibrated for each (:func:`calibrate`) but marker posture:
         with that one the method "recurrence" needs ``max_distance``, in metres. Unless they are postures with equal

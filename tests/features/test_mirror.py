@@ -49,9 +49,11 @@ def test_a_walk_in_the_mirror_is_the_walk_half_a_cycle_later():
     assert not np.allclose(mirrored(walk).values, walk.values, atol=0.1)
 
 
-def test_angles_have_no_mirror_image():
-    angles = FeatureSequence(np.zeros((2, 6)), ("left_elbow", "right_elbow"), 30, (), 3, unit="rad")
+def test_a_line_from_side_to_side_has_no_mirror_image_here():
+    names = ("chest", "left_elbow", "right_elbow")
+    angles = FeatureSequence(np.zeros((2, 9)), names, 30, (), 3, unit="rad")
     assert mirrored(angles) is None
+    assert mirrored(angles.replace(values=np.zeros((2, 6)), names=names[1:])) is not None
 
 
 def test_the_mirror_has_the_weights_of_the_sides_that_it_shows(rng):

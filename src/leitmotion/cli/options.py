@@ -209,7 +209,9 @@ _SIDES = (
 _DESCRIBING = (
     click.option(
         "--features",
-        type=click.Choice(["posture", "velocity", "joint_angles", "joint_rotations", "marker_posture"]),
+        type=click.Choice(
+            ["posture", "velocity", "joint_angles", "limb_directions", "joint_rotations", "marker_posture"]
+        ),
         default="posture",
         show_default=True,
         help="What of a frame is compared.",

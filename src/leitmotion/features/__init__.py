@@ -2,6 +2,7 @@
 
 from leitmotion.features.angles import joint_angles
 from leitmotion.features.catalogue import FEATURES, Feature, extract
+from leitmotion.features.directions import limb_directions, limbs_of
 from leitmotion.features.markers import marker_posture
 from leitmotion.features.mirror import mirrored
 from leitmotion.features.posture import choose_roles, posture
@@ -20,6 +21,8 @@ __all__ = [
     "extract",
     "joint_angles",
     "joint_rotations",
+    "limb_directions",
+    "limbs_of",
     "marker_posture",
     "mirrored",
     "posture",

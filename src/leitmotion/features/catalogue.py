@@ -10,6 +10,7 @@ from typing import Any, NamedTuple
 
 from leitmotion.body import Body, BodyMap, embody, map_from
 from leitmotion.features.angles import joint_angles
+from leitmotion.features.directions import limb_directions
 from leitmotion.features.markers import marker_posture
 from leitmotion.features.posture import posture
 from leitmotion.features.rotations import joint_rotations
@@ -65,6 +66,14 @@ FEATURES = {
         "which way each bone points, seen from the one above",
         "radians",
         MappingProxyType({"equal": 0.222, "active": 0.318}),
+    ),
+    "limb_directions": Feature(
+        limb_directions,
+        Body,
+        ("place", "yaw", "body_size", "unit", "bone_lengths"),
+        "which way the trunk and the long bones point, seen from the front",
+        "radians",
+        MappingProxyType({"equal": 0.250, "active": 0.288}),
     ),
     "joint_rotations": Feature(
         joint_rotations,

@@ -16,13 +16,14 @@ def mirrored(features: FeatureSequence) -> FeatureSequence | None:
     Parameters
     ----------
     features : FeatureSequence
-        Postures or velocities of a body that faces +Z, groups of three values: T frames.
+        Postures, velocities or limb directions of a body that faces +Z, groups of three values: T frames.
 
     Returns
     -------
     FeatureSequence or None
-        x negated, each role's place that of its partner, with the role's own weight; None of angles, where the names
-        tell no sides, where a side lacks a partner, or where the partner's weight of 0 has left nothing of its place.
+        x negated, each role's place that of its partner, with the role's own weight; None where the names tell no
+        sides, where a side lacks a partner, where the partner's weight of 0 has left nothing of its place, or where an
+        angle is of a line from side to side, which the mirror turns round as well.
 
     Examples
     --------
@@ -35,7 +36,7 @@ def mirrored(features: FeatureSequence) -> FeatureSequence | None:
     """
     if (
         features.width != 3
-        or features.unit == "rad"
+        or (features.unit == "rad" and "chest" in features.names)
         or not any(name.startswith(SIDES) for name in features.names)
     ):
         return None
