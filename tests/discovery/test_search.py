@@ -61,3 +61,18 @@ def test_a_later_run_gives_up_what_the_earlier_one_holds(second):
 def test_a_cycle_that_the_earlier_run_hardly_reaches_into_is_kept(second):
     _, later = search._settled([run(0.0, 30.0, 60.0, 90.0), run(*second)])
     assert (later.start, later.borders) == (90.0, [90.0, *second[1:]])
+
+
+def test_the_second_look_is_wider_and_never_less_strict_than_asked():
+    first = search.Criteria(0.1, 0.3, 0.01, 15)
+    look = search.SecondLook(wider=1.5, min_contrast=0.2, amplitude_share=0.9)
+    assert look.of(first) == first._replace(max_distance=pytest.approx(0.15), share=0.9)
+    assert look.of(first._replace(min_contrast=0.1)).min_contrast == 0.2
+
+
+def test_a_larger_share_of_the_amplitude_lets_farther_postures_be_alike():
+    distances = Distances(FeatureSequence(swings([0.2] * 4), ("a", "b", "c"), 30.0, ("place",), 3))
+    half, whole = (
+        search.Criteria(10.0, 0.3, 0.01, 15, share=share).likeness(distances).threshold for share in (0.5, 1)
+    )
+    np.testing.assert_allclose(whole, 2 * half, rtol=1e-6)

@@ -23,8 +23,8 @@ from leitmotion.discovery.moves import moves_of
 from leitmotion.discovery.pattern import Patterns
 from leitmotion.discovery.pauses import true_runs
 from leitmotion.discovery.refine import Refiner
-from leitmotion.discovery.search import Criteria, Seen, search
-from leitmotion.discovery.stripes import REACH_S, Likeness, likeness
+from leitmotion.discovery.search import Criteria, SecondLook, Seen, search
+from leitmotion.discovery.stripes import AMPLITUDE_SHARE, REACH_S, Likeness, likeness
 from leitmotion.discovery.tracing import trace_stripes
 from leitmotion.discovery.writing import Found, Scribe, length_in_words
 from leitmotion.features.catalogue import FEATURES
@@ -37,8 +37,7 @@ WORKING_RATE = 30.0  # hertz
 MAX_DISTANCE = FEATURES["posture"].alike["equal"]  # body sizes: equal error rate of postures labelled by eye
 MIN_AMPLITUDE = 0.012  # body sizes: what the joints must move, on average, not to be still
 MIN_CONTRAST = 0.3  # a stripe must be this much nearer than its surroundings
-WIDER = 1.5  # times the distance of what is alike: so near is enough in what is left over
-CLEARER = 0.4  # where this much nearer than its surroundings
+SECOND_LOOK = SecondLook(wider=1.5, min_contrast=0.4, amplitude_share=AMPLITUDE_SHARE)
 MIN_DURATION_S = 0.5  # seconds
 SHORTEST_S = 0.1  # a stretch of three moments
 MISS_S = 600.0  # what comes nearest is looked for among stretches this far apart
@@ -53,6 +52,8 @@ def find_recurrences(
     min_duration_s: float = MIN_DURATION_S,
     min_amplitude: float = MIN_AMPLITUDE,
     min_contrast: float = MIN_CONTRAST,
+    amplitude_share: float = AMPLITUDE_SHARE,
+    second_look: SecondLook = SECOND_LOOK,
     stillness: bool = False,
     cuts: str = "stripes",
 ) -> Patterns:
@@ -70,6 +71,10 @@ def find_recurrences(
         How far the joints must move within a second, on average, not to be still, body sizes.
     min_contrast : float
         How much nearer than its surroundings a return must be, 0 to 1.
+    amplitude_share : float
+        Of what the joints move around a moment: of a small movement, what is nearer than this is alike.
+    second_look : SecondLook
+        What counts as a return in what is left over.
     stillness : bool
         Whether a posture that is held again counts as a pattern. Less than a second that was not seen ends no hold.
     cuts : {"stripes", "members", "autocorrelation"}
@@ -99,21 +104,24 @@ def find_recurrences(
         raise ParameterError(f"min_amplitude must be 0 or more and finite, got {min_amplitude}.")
     if not 0 <= min_contrast < 1:
         raise ParameterError(f"min_contrast must lie in [0, 1), got {min_contrast}.")
+    if not 0 < amplitude_share <= 1:
+        raise ParameterError(f"amplitude_share must lie in (0, 1], got {amplitude_share}.")
     if cuts not in CUTS:
         raise ParameterError(f"cuts must be one of {', '.join(CUTS)}, got {cuts!r}.")
     parameters: dict[str, object] = {
         "method": "recurrence", "working_rate_hz": WORKING_RATE,
         "max_distance": max_distance, "max_distance_own_unit": max_distance * features.scale, "unit": features.unit,
         "min_duration_s": min_duration_s, "min_amplitude": min_amplitude, "min_contrast": min_contrast,
-        "stillness": stillness, "cuts": cuts, "features": list(features.names),
+        "amplitude_share": amplitude_share, "stillness": stillness, "cuts": cuts, "features": list(features.names),
     }  # fmt: skip
     shortest = round(min_duration_s * WORKING_RATE)
-    criteria = Criteria(max_distance, min_contrast, min_amplitude, shortest, cuts)
-    again = _second(criteria)
+    criteria = Criteria(max_distance, min_contrast, min_amplitude, shortest, cuts, amplitude_share)
+    again = second_look.of(criteria)
     parameters |= {
         "second_max_distance": again.max_distance,
         "second_max_distance_own_unit": again.max_distance * features.scale,
         "second_min_contrast": again.min_contrast,
+        "second_amplitude_share": again.share,
     }
     work = resample(features, WORKING_RATE)
     if len(work) < 2 * min_duration_s * WORKING_RATE:
@@ -122,10 +130,10 @@ def find_recurrences(
             f"too short for two stretches of {min_duration_s:g} s."
         )
         return Patterns((), (), features.rate, parameters, miss)
-    found, limits = look(features, work, criteria)
+    found, limits = look(features, work, criteria, second_look)
     parameters |= limits
     distances = Distances(work)
-    alike = likeness(distances, max_distance=max_distance, min_amplitude=min_amplitude)
+    alike = criteria.likeness(distances)
     scribe = Scribe(features, distances, criteria)
     if stillness:
         found += [scribe.held(spans) for spans in _held_postures(distances, alike, max_distance, shortest)]
@@ -141,7 +149,10 @@ def find_recurrences(
 
 
 def look(
-    features: FeatureSequence, work: FeatureSequence, criteria: Criteria
+    features: FeatureSequence,
+    work: FeatureSequence,
+    criteria: Criteria,
+    second_look: SecondLook = SECOND_LOOK,
 ) -> tuple[list[Found], dict[str, object]]:
     """Look for what recurs, and once more, farther, in what is left over.
 
@@ -157,6 +168,8 @@ def look(
         The same at the working rate, N moments.
     criteria : Criteria
         What counts as a return.
+    second_look : SecondLook
+        What does in what is left over.
 
     Returns
     -------
@@ -171,20 +184,13 @@ def look(
     found = Scribe(features, distances, criteria).describe(seen)
     left = _left_over(work, found, features.rate)
     if left is not None:
-        wider = _second(criteria)
+        wider = second_look.of(criteria)
         scribe = Scribe(features, distances, wider)
         found += scribe.describe(search(left, wider, refine))
         left = _left_over(work, found, features.rate)
         if left is not None:
             found += scribe.describe(Seen([], moves_of(left, scribe.alike, wider), {}))
     return found, seen.limits
-
-
-def _second(criteria: Criteria) -> Criteria:
-    """What counts as a return in what is left over: farther is near enough, where it is clearer."""
-    return criteria._replace(
-        max_distance=WIDER * criteria.max_distance, min_contrast=max(CLEARER, criteria.min_contrast)
-    )
 
 
 def _left_over(work: FeatureSequence, found: Sequence[Found], rate: float) -> Distances | None:

@@ -20,7 +20,7 @@ from leitmotion.discovery.lone import with_lone_occurrences
 from leitmotion.discovery.pauses import from_rest_to_rest
 from leitmotion.discovery.refine import Refiner
 from leitmotion.discovery.returns import Return, returns_of
-from leitmotion.discovery.stripes import Likeness, Stripe, likeness, measure
+from leitmotion.discovery.stripes import AMPLITUDE_SHARE, Likeness, Stripe, likeness, measure
 from leitmotion.discovery.themes import FREE, Theme, themes_of
 from leitmotion.discovery.tracing import trace_stripes
 from leitmotion.discovery.units import alternation, divide
@@ -48,6 +48,36 @@ class Criteria(NamedTuple):
 
     cuts: str = "stripes"
     """What cuts a run into cycles."""
+
+    share: float = AMPLITUDE_SHARE
+    """Of what the body moves around a moment: nearer than this is alike."""
+
+    def likeness(self, distances: Distances) -> Likeness:
+        """Decide at each moment how near another posture must be."""
+        return likeness(
+            distances, max_distance=self.max_distance, min_amplitude=self.min_amplitude, share=self.share
+        )
+
+
+class SecondLook(NamedTuple):
+    """What counts as a return in what is left over."""
+
+    wider: float
+    """Times the distance of what is alike: so near is enough."""
+
+    min_contrast: float
+    """Where this much nearer than its surroundings, or as much as in the first look where that is more."""
+
+    amplitude_share: float
+    """Of what the body moves around a moment: nearer than this is alike."""
+
+    def of(self, first: Criteria) -> Criteria:
+        """What counts as a return, after a first look by other criteria."""
+        return first._replace(
+            max_distance=self.wider * first.max_distance,
+            min_contrast=max(self.min_contrast, first.min_contrast),
+            share=self.amplitude_share,
+        )
 
 
 class Seen(NamedTuple):
@@ -77,7 +107,7 @@ def search(distances: Distances, criteria: Criteria, refine: Refiner) -> Seen:
         Themes first, then returns of what no theme explains.
     """
     rate = distances.features.rate
-    alike = likeness(distances, max_distance=criteria.max_distance, min_amplitude=criteria.min_amplitude)
+    alike = criteria.likeness(distances)
     traced = trace_stripes(
         distances, alike, max_distance=criteria.max_distance, min_duration_s=criteria.shortest / rate
     )

@@ -15,7 +15,7 @@ from leitmotion.discovery.overlay import AGREED, HELD, overlay_of_stretches
 from leitmotion.discovery.pattern import Pattern, PatternPair, cut_at_occurrences, letter
 from leitmotion.discovery.returns import Return
 from leitmotion.discovery.search import Criteria, Seen
-from leitmotion.discovery.stripes import Likeness, Stripe, likeness, measure, part
+from leitmotion.discovery.stripes import Likeness, Stripe, measure, part
 from leitmotion.discovery.themes import Theme
 from leitmotion.features.sequence import FeatureSequence
 from leitmotion.motion.segmentation import Segmentation
@@ -71,11 +71,7 @@ class Scribe:
     @cached_property
     def alike(self) -> Likeness:
         """What counts as alike; only what is cyclic asks for it."""
-        return likeness(
-            self.distances,
-            max_distance=self.criteria.max_distance,
-            min_amplitude=self.criteria.min_amplitude,
-        )
+        return self.criteria.likeness(self.distances)
 
     def describe(self, seen: Seen) -> list[Found]:
         """All of what one pass saw, but for what its own occurrences gainsay."""
@@ -248,17 +244,19 @@ def length_in_words(distance: float, scale: float, unit: str) -> str:
     Parameters
     ----------
     distance : float
-        Body sizes.
+        Body sizes, or radians.
     scale : float
-        What one body size is in the recording's own unit.
+        What one of these is in the recording's own unit.
     unit : str
         That unit.
 
     Returns
     -------
     str
-        Centimetres where the recording has metres, else a share of the body size.
+        Degrees of directions, centimetres where the recording has metres, else a share of the body size.
     """
+    if unit == "rad":
+        return f"{np.degrees(distance * scale):.0f} degrees"
     return f"{distance * scale * 100:.1f} cm" if unit == "m" else f"{distance:.1%} of the body size"
 
 
