@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from leitmotion.discovery.joining import Joined, join
-from leitmotion.discovery.recurrence import WIDER, WORKING_RATE
+from leitmotion.discovery.recurrence import SECOND_LOOK, WORKING_RATE
 from leitmotion.discovery.shared import SharedPatterns
 from leitmotion.discovery.stripes import Stripe, likeness
 from leitmotion.discovery.tracing import trace_stripes
@@ -88,9 +88,9 @@ def _sentence(best: Stripe, joined: Joined, found: SharedPatterns, limit: float)
     length = f", {length_in_words(best.cost, joined.features.scale, unit)}" if unit == "m" else ""
     told = (
         f"The nearest: {spans[0]} and {spans[1]} are {best.cost:.3f} apart on average{length}; "
-        f"the limit is {limit:g}, at the second look {WIDER * limit:g}"
+        f"the limit is {limit:g}, at the second look {SECOND_LOOK.wider * limit:g}"
     )
-    if best.cost > WIDER * limit:
+    if best.cost > SECOND_LOOK.wider * limit:
         return f"{told}."
     if best.contrast >= float(str(found.parameters["min_contrast"])):
         return f"{told}; they are near on average, but not near for long enough at a time."
