@@ -88,13 +88,13 @@ def _gradual(
     steps: dict[tuple[int, int], list[float]] = {}
     for (one, kind), (other, following) in pairwise(zip(cycles, kinds.tolist(), strict=True)):
         if kind != following and one[1] == other[0]:
-            apart = _apart(one, other, distances, max_distance)
-            steps.setdefault((min(kind, following), max(kind, following)), []).append(apart)
+            step = (min(kind, following), max(kind, following))
+            steps.setdefault(step, []).append(_apart(one, other, distances, max_distance))
     merged = kinds.copy()
     for (kind, following), apart in steps.items():
         if np.median(apart) < GRADUAL * max_distance:
-            one, other = merged[kinds == kind][0], merged[kinds == following][0]
-            merged[merged == max(one, other)] = min(one, other)
+            known, new = sorted((merged[kinds == kind][0], merged[kinds == following][0]))
+            merged[merged == new] = known
     return np.unique(merged, return_inverse=True)[1]
 
 
