@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from leitmotion.discovery import find_shared_patterns, nearest_across
-from leitmotion.discovery.recurrence import WIDER
+from leitmotion.discovery.recurrence import SECOND_LOOK
 from leitmotion.features import FeatureSequence
 
 
@@ -26,7 +26,7 @@ def test_it_tells_both_stretches_in_seconds_of_their_own_recording_and_how_far_t
     told = nearest_across(hands, found)
     numbers = [float(number) for number in re.findall(r"\d+\.\d+", told)]
     assert " s of a and " in told
-    assert told.endswith(f"; the limit is 0.08, at the second look {WIDER * 0.08:g}.")
+    assert told.endswith(f"; the limit is 0.08, at the second look {SECOND_LOOK.wider * 0.08:g}.")
     assert numbers[:2] == pytest.approx([2.0, 3.5], abs=0.35)
     assert numbers[2:4] == pytest.approx([3.0, 4.5], abs=0.35)
     assert numbers[4] == pytest.approx(0.15, abs=0.02)
