@@ -11,8 +11,9 @@ from leitmotion.body import swap_sides as exchanged
 from leitmotion.describing import Recording, Roles, as_body, described
 from leitmotion.discovery import SharedPatterns, nearest_across
 from leitmotion.discovery import find_shared_patterns as search
+from leitmotion.discovery.joining import LEAST_COMMON
 from leitmotion.discovery.recurrence import MAX_DISTANCE
-from leitmotion.features import FEATURES, FeatureSequence
+from leitmotion.features import FEATURES, FeatureSequence, limbs_of
 from leitmotion.io import write_whole
 from leitmotion.motion import ParameterError
 
@@ -25,7 +26,7 @@ def find_shared_patterns(
     recordings: Sequence[Recording],
     *,
     names: Sequence[str] | None = None,
-    features: str = "posture",
+    features: str | None = None,
     joints: str | Sequence[str] | None = None,
     exclude: str | Sequence[str] | None = None,
     body_map: Roles | None = None,
@@ -34,8 +35,8 @@ def find_shared_patterns(
 ) -> SharedPatterns:
     """Find what several recordings share: movements that occur in two or more, and those that recur within one.
 
-    They are compared as by :func:`find_patterns`, each in its own body's size, by the joints that all recordings
-    have. Rates, formats and people may differ.
+    They are compared by the directions of trunk and limbs, which know nothing of proportions, as far as all recordings
+    have these. Rates, formats and people may differ.
 
     Parameters
     ----------
@@ -43,7 +44,11 @@ def find_shared_patterns(
         Two or more, one person each.
     names : sequence of str, optional
         What to call them; by default their own names.
-    features, joints, exclude, body_map, swap_sides
+    features : str, optional
+        What of a frame is compared, as for :func:`find_patterns`. By default "limb_directions"; "posture", each in its
+        own body's size, where a recording is in a plane or too few limbs are known in all, or where `joints` or
+        `exclude` name what has a place.
+    joints, exclude, body_map, swap_sides
         As for :func:`find_patterns`, of every recording.
     **options
         "max_distance", "min_duration_s", "min_amplitude" and "min_contrast", as for
@@ -79,8 +84,13 @@ def find_shared_patterns(
             f"What recordings share is sought without an option {unknown[0]!r}.",
             remedy=f"The options are {', '.join(OPTIONS)}.",
         )
+    called = [one.name for one in recordings] if names is None else names
+    if features is None:
+        bodies = [as_body(one, _roles(one, body_map, swap_sides)) for one in recordings]
+        features = "posture" if joints or exclude or not _have_limbs(bodies) else "limb_directions"
+        recordings, body_map, swap_sides = bodies, None, False
     told = [_described(one, features, joints, exclude, body_map, swap_sides) for one in recordings]
-    if features != "posture":
+    if features not in ("posture", "limb_directions"):
         alike = options.get("max_distance", FEATURES[features].alike.get("equal"))
         if alike is None:
             raise ParameterError(
@@ -89,7 +99,6 @@ def find_shared_patterns(
             )
         if isinstance(alike, Real):
             options = {"max_distance": float(alike), "min_amplitude": float(alike) / 5} | options
-    called = [one.name for one in recordings] if names is None else names
     found = search(told, names=called, **options)
     by: dict[str, object] = {"feature": features}
     if features == "posture":
@@ -164,10 +173,9 @@ def report_shared(
     check_page(target, force=force)
     if shared is not None and options:
         raise ParameterError(f"{min(options)!r} steers a search, but shared= says what was found.")
-    by = {} if shared is None else shared.parameters
-    name = features or str(by.get("feature", "posture"))
     asked = {"joints": joints, "exclude": exclude, "body_map": body_map, "swap_sides": swap_sides}
-    found = shared or find_shared_patterns(recordings, names=names, features=name, **asked, **options)  # type: ignore[arg-type]
+    found = shared or find_shared_patterns(recordings, names=names, features=features, **asked, **options)  # type: ignore[arg-type]
+    name = features or str(found.parameters.get("feature", "posture"))
     if names is not None:
         found = found.replace(names=tuple(names))
     told = [_described(one, name, joints, exclude, body_map, swap_sides) for one in recordings]
@@ -205,3 +213,9 @@ def _roles(recording: Recording, body_map: Roles | None, swap_sides: bool) -> Ro
             "The sides of a Body are settled.", remedy="Give the recording itself to have them exchanged."
         )
     return exchanged(map_of(recording, body_map))
+
+
+def _have_limbs(bodies: Sequence[Body]) -> bool:
+    """Whether all are in space and have limbs enough in common."""
+    common = set.intersection(*(set(limbs_of(body)) for body in bodies)) if bodies else set()
+    return len(common) >= LEAST_COMMON and all(body.positions.shape[2] == 3 for body in bodies)

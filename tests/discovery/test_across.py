@@ -7,6 +7,7 @@ from hypothesis import strategies as st
 
 import leitmotion as lm
 from leitmotion.discovery import Places, find_recurrences, find_shared_patterns
+from leitmotion.discovery.across import DIRECTIONS, PLACES
 from leitmotion.discovery.joining import join
 from leitmotion.discovery.shared import SharedPatterns
 from leitmotion.features import FeatureSequence
@@ -216,6 +217,45 @@ def test_the_body_may_be_of_any_size_place_and_direction():
     np.testing.assert_array_equal(found.counts[0], found.counts[1])
 
 
+def test_the_proportions_of_a_body_do_not_matter():
+    session = lm.compose_session(seed=3, rate=30.0).motion[:900]
+    longer = {name: 1.5 for name in session.skeleton.names if name.endswith(("ForeArm", "UpLeg", "Leg"))}
+    by = np.array([longer.get(name, 1.0) for name in session.skeleton.names])[:, None]
+    assert len(longer) >= 4
+    other = session.replace(
+        local_positions=session.local_positions * by,
+        skeleton=session.skeleton.replace(offsets=session.skeleton.offsets * by),
+    )
+    found, same = (lm.find_shared_patterns([session, one]) for one in (other, session))
+    assert told(found) == told(same)
+    assert len(found.shared) == len(found) > 0
+
+
+def test_limits_are_those_of_the_features():
+    places, directions = smooth(1, 3), smooth(1, 3).replace(unit="rad")
+    for one, limits in ((places, PLACES), (directions, DIRECTIONS)):
+        parameters = find_shared_patterns([one, one]).parameters
+        assert parameters["max_distance"] == limits.max_distance
+        assert parameters["amplitude_share"] == limits.amplitude_share
+        assert find_shared_patterns([one, one], min_contrast=0.1).parameters["min_contrast"] == 0.1
+
+
+def test_places_are_compared_where_directions_cannot_be_or_joints_are_named():
+    session = lm.compose_session(seed=3, rate=30.0).motion[:300]
+    body = lm.embody(session)
+
+    def feature(one, **options):
+        return lm.find_shared_patterns([one, one], **options).parameters["feature"]
+
+    upper = [k for k, role in enumerate(body.roles) if "hip" not in role and "knee" not in role]
+    armed = body.replace(roles=tuple(body.roles[k] for k in upper), positions=body.positions[:, upper])
+    assert feature(session) == feature(body) == "limb_directions"
+    assert feature(armed) == "posture"  # five limbs
+    assert feature(body.replace(positions=body.positions[..., :2])) == "posture"
+    assert feature(session, joints="left_*") == feature(session, exclude="head") == "posture"
+    assert feature(session, features="posture") == "posture"
+
+
 def test_other_features_may_be_compared():
     session = lm.compose_session(seed=3, rate=30.0).motion[:600]
     found = lm.find_shared_patterns([session, session], features="joint_angles")
@@ -252,4 +292,14 @@ def test_people_formats_and_rates_are_mixed(data):
     other = lm.read(data / "cmu_amc" / "02_01.amc")
     found = lm.find_shared_patterns([walk, other])
     assert found.rates.tolist() == [30.0, 120.0]
-    assert len(found.parameters["features"]) == 15
+    assert found.parameters["feature"] == "limb_directions"
+    assert len(found.parameters["features"]) == 9
+
+
+@pytest.mark.data
+def test_a_walk_of_one_person_is_a_walk_of_another_and_no_run(data):
+    clips = ("bandai_namco/dataset-1_walk_normal_001.bvh", "bandai_namco/dataset-1_run_active_001.bvh",
+             "cmu_amc/02_01.amc", "cmu_amc/02_03.amc")  # fmt: skip
+    found = lm.find_shared_patterns([lm.read(data / clip) for clip in clips])
+    assert sorted(pattern.recordings for pattern in found.shared) == [(0, 2), (1, 3)]
+    assert {pattern.kind for pattern in found.shared} == {"cyclic"}

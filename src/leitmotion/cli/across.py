@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 import click
+from click.core import ParameterSource
 
 from leitmotion.cli.batch import LeftOut, Outcome, attempt, line
 from leitmotion.cli.documents import Document, answer_document, as_line, error_document
@@ -196,9 +197,10 @@ def _search(
             remedy="What recordings share takes two or more.",
         )
     progress.say(f"Looking for what {len(opened)} recordings share")
-    searching = {
-        name: value for name, value in options.searching.items() if name not in ("method", "weights")
-    }
+    passed_over = {"method", "weights"}
+    if click.get_current_context().get_parameter_source("features") is ParameterSource.DEFAULT:
+        passed_over.add("features")  # people are compared by something else than moments of one
+    searching = {name: value for name, value in options.searching.items() if name not in passed_over}
     with compiling_noted(progress):
         return find_shared_patterns(
             [one.body for _, one in opened],

@@ -68,7 +68,11 @@ COLUMNS = (
     "Also write what was found, by the ending: .json or .csv; of one input .html, .eaf (ELAN), "
     ".png, .svg, .pdf or .npz."
 )
-@click.option("--across", is_flag=True, help="Search all inputs together: which movements do they share?")
+@click.option(
+    "--across",
+    is_flag=True,
+    help="Search all inputs together: what do they share? By limb directions, unless --features is given.",
+)
 @summary_options
 @lesson_option
 @force

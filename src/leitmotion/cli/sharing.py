@@ -69,10 +69,15 @@ def shared_result(found: SharedPatterns) -> Document:
 def remarks(found: SharedPatterns, bodies: Sequence[Body]) -> list[str]:
     """List what the person should know about how the recordings were compared."""
     from leitmotion.body import ANALYSIS_ROLES
+    from leitmotion.features import limbs_of
 
     said = []
     compared = list(found.parameters["features"])  # type: ignore[call-overload]
-    most = max(sum(role in body.roles for role in ANALYSIS_ROLES) for body in bodies)
+    directions = found.parameters["feature"] == "limb_directions"
+    most = max(
+        len(limbs_of(body)) if directions else sum(role in body.roles for role in ANALYSIS_ROLES)
+        for body in bodies
+    )
     if len(compared) < most:
         said.append(f"Not all recordings have every joint, so they were compared by {', '.join(compared)}.")
     if "compared_within_s" in found.parameters:

@@ -96,8 +96,8 @@ class SharedPattern(Noun):
     period_s : float
         Median length of an occurrence, seconds.
     cost : float
-        Mean distance between occurrences along their warping paths; metres on a body of mean size where all
-        recordings are in metres, else body sizes.
+        Mean distance between occurrences along their warping paths: radians of limb directions; of postures metres on
+        a body of mean size where all recordings are in metres, else body sizes.
     confidence : float
         0 to 1.
     reason : str
