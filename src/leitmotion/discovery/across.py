@@ -42,7 +42,9 @@ class Limits(NamedTuple):
     """What counts as alike in what is left over."""
 
 
-DIRECTIONS = Limits(0.35, 0.05, 0.2, 0.75, SecondLook(wider=1.4, min_contrast=0.2, amplitude_share=1.0))
+DIRECTIONS = Limits(
+    0.35, 0.05, 0.2, AMPLITUDE_SHARE, SecondLook(wider=1.4, min_contrast=0.2, amplitude_share=1.0)
+)
 """Of limb directions, radians."""
 PLACES = Limits(0.08, MIN_AMPLITUDE, MIN_CONTRAST, AMPLITUDE_SHARE, SECOND_LOOK)
 """Of postures, body sizes: at 0.1, walks of one person are taken for runs of another."""
