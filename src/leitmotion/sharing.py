@@ -12,7 +12,6 @@ from leitmotion.describing import Recording, Roles, as_body, described
 from leitmotion.discovery import SharedPatterns, nearest_across
 from leitmotion.discovery import find_shared_patterns as search
 from leitmotion.discovery.joining import LEAST_COMMON
-from leitmotion.discovery.recurrence import MAX_DISTANCE
 from leitmotion.features import FEATURES, FeatureSequence, limbs_of
 from leitmotion.io import write_whole
 from leitmotion.motion import ParameterError
@@ -101,8 +100,8 @@ def find_shared_patterns(
             options = {"max_distance": float(alike), "min_amplitude": float(alike) / 5} | options
     found = search(told, names=called, **options)
     by: dict[str, object] = {"feature": features}
-    if features == "posture":
-        by["max_distance_within_one"] = MAX_DISTANCE
+    if features in ("posture", "limb_directions"):
+        by["max_distance_within_one"] = FEATURES[features].alike["equal"]
     return found.replace(parameters=found.parameters | by, nearest_miss=nearest_across(told, found))
 
 

@@ -40,13 +40,18 @@ def test_the_answer_comes_first_then_where_then_who_shares_what(run: Run, three:
         ["ann/jacks.bvh", "4"],
     ]
     assert not any("  " in line and line != line.rstrip() for line in lines)
-    assert lines[-1].startswith("Across recordings postures are alike within 0.08 body sizes, not 0.054 as")
+    assert lines[-1].startswith(
+        "Across recordings directions of limbs are alike within 0.35 radians, not 0.25 as"
+    )
 
 
 def test_where_the_limit_is_that_of_one_recording_nothing_is_said_of_it(run: Run, three: Path) -> None:
-    told = run("patterns", three, "--across", "--quiet", "--max-distance", "0.054")
+    told = run("patterns", three, "--across", "--quiet", "--max-distance", "0.25")
     assert "as within one" not in told.stdout
     (document,) = documents(run("patterns", three, "--across", "--json").stdout)
+    limits = [document["parameters"][name] for name in ("max_distance", "max_distance_within_one")]
+    assert limits == [0.35, 0.25]
+    (document,) = documents(run("patterns", three, "--across", "--json", "--features", "posture").stdout)
     limits = [document["parameters"][name] for name in ("max_distance", "max_distance_within_one")]
     assert limits == [0.08, 0.054]
 
@@ -76,7 +81,12 @@ def test_where_nothing_is_shared_the_nearest_is_told_with_its_number(run: Run, m
     jacks = lm.read(made / "jacks.bvh")
     arms = np.array([["arm" in name.lower() or "hand" in name.lower()] for name in jacks.skeleton.names])
     lm.write(jacks.replace(local_positions=jacks.local_positions * np.where(arms, 1.25, 1.0)), "long.bvh")
-    given = ("patterns", made / "jacks.bvh", "long.bvh", "--across", "--max-distance", "0.02")
+    both = ("patterns", made / "jacks.bvh", "long.bvh", "--across", "--max-distance", "0.02")
+    (document,) = documents(run(*both, "--json").stdout)
+    assert [pattern["sources"] for pattern in document["result"]["patterns"]] == [
+        [0, 1]
+    ]  # directions are the same
+    given = (*both, "--features", "posture")
     (document,) = documents(run(*given, "--json").stdout)
     miss = document["result"]["nearest_miss"]
     assert miss.startswith("The nearest: ")

@@ -118,8 +118,10 @@ def limit_words(found: SharedPatterns) -> str:
     limit, within = (found.parameters.get(name) for name in ("max_distance", "max_distance_within_one"))
     if not isinstance(limit, float) or not isinstance(within, float) or limit == within:
         return ""
+    directions = found.parameters.get("unit") == "rad"
+    what, unit = ("directions of limbs", "radians") if directions else ("postures", "body sizes")
     return (
-        f"Across recordings postures are alike within {limit:g} body sizes, not {within:g} as within one, since two "
+        f"Across recordings {what} are alike within {limit:g} {unit}, not {within:g} as within one, since two "
         "people differ more than two takes of one. So a recording can show other patterns here than alone."
     )
 
