@@ -35,7 +35,7 @@ def shared(folder: Path) -> Shared:
     bodies = [embody(motion) for motion in (one, two.replace(rate=24.0), one[60:360])]
     large = bodies[2]
     bodies[2] = large.replace(positions=1.3 * large.positions, size=1.3 * large.size)
-    found = lm.find_shared_patterns(bodies, names=NAMES)
+    found = lm.find_shared_patterns(bodies, names=NAMES, features="posture")
     page = lm.report_shared(bodies, folder / "shared.html", shared=found)
     return Shared(bodies, found, page)
 
