@@ -1,6 +1,6 @@
-"""Kinds: which cycles of a theme are alike, so that a walk that becomes a run within a step is two movements.
+"""Kinds: which cycles of a theme are alike, so that a walk that becomes a run, step by step, is two movements.
 
-A walk that turns, each step a little further, stays one: where one kind passes into the other, its cycles are alike.
+A walk that turns, each step a little further, stays one: its kinds are less far apart, and pass into one another.
 
 Conventions
 -----------
@@ -15,7 +15,7 @@ from itertools import combinations, pairwise
 import numpy as np
 
 from leitmotion.discovery.families import Run
-from leitmotion.discovery.overlay import overlay_of_stretches
+from leitmotion.discovery.overlay import AGREED, overlay_of_stretches
 from leitmotion.discovery.themes import Theme
 from leitmotion.similarity import Distances
 
@@ -84,7 +84,7 @@ def _kinds(cycles: Sequence[tuple[float, float]], distances: Distances, max_dist
 def _gradual(
     cycles: Sequence[tuple[float, float]], kinds: np.ndarray, distances: Distances, max_distance: float
 ) -> np.ndarray:
-    """Make one of the kinds that pass gradually into one another, most of the times that they do."""
+    """Make one of kinds that are as alike as whole stretches must be and pass gradually into one another."""
     steps: dict[tuple[int, int], list[float]] = {}
     for (one, kind), (other, following) in pairwise(zip(cycles, kinds.tolist(), strict=True)):
         if kind != following and one[1] == other[0]:
@@ -93,8 +93,11 @@ def _gradual(
     merged = kinds.copy()
     for (kind, following), apart in steps.items():
         if np.median(apart) < GRADUAL * max_distance:
-            known, new = sorted((merged[kinds == kind][0], merged[kinds == following][0]))
-            merged[merged == new] = known
+            here, there = (np.flatnonzero(kinds == k)[:COMPARED] for k in (kind, following))
+            between = [_apart(cycles[a], cycles[b], distances, max_distance) for a in here for b in there]
+            if np.mean(between) < AGREED * max_distance:
+                known, new = sorted((merged[kinds == kind][0], merged[kinds == following][0]))
+                merged[merged == new] = known
     return np.unique(merged, return_inverse=True)[1]
 
 
