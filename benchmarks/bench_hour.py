@@ -4,7 +4,8 @@ The hour is joined from all clips of HDM05 and CMU that the folder holds, in an 
 out, each at a tempo of its own, led over to the next in a third of a second. The clips are of many people, so that they
 are joined as postures, in body sizes. What is found in the first five minutes of a longer search is held against a
 search of these five minutes alone: tests hold that a search without limits follows exactly the paths that an alignment
-of the whole matrix has.
+of the whole matrix has. Stripes are what is alike; how they are grouped into patterns depends on all that is
+known, and with it what the pairs are cut to.
 """
 
 from __future__ import annotations
@@ -21,8 +22,12 @@ from functools import cache
 import numpy as np
 
 from leitmotion import body, discovery, features, io
+from leitmotion.discovery.recurrence import USUAL, WORKING_RATE
+from leitmotion.discovery.tracing import trace_stripes
 from leitmotion.features import FeatureSequence
+from leitmotion.features.resampling import resample
 from leitmotion.motion import LeitmotionError
+from leitmotion.similarity import Distances
 from recordings import folder, unpacked
 
 Row = tuple[str, str, str]
@@ -78,14 +83,18 @@ def _answer(it: dict) -> str:
 
 def agreement(short: dict, long: dict, minutes: int) -> list[Row]:
     """Look for the pairs that the first five minutes show alone among those of a longer search."""
-    a, b = (np.array(it["pairs"]).reshape(-1, 4) for it in (short, long))
-    differences = [nearest(pair, b) for pair in a]
-    again = [d for d in differences if d is not None]
+    again, all_pairs = found_again(short["pairs"], long["pairs"])
+    traced, all_stripes = found_again(short["stripes"], long["stripes"])
     apart = np.concatenate(again) / RATE
     return [
         (
+            f"Stripes of the first 5 min traced again in {minutes} min",
+            f"{len(traced)} of {all_stripes} ({len(traced) / all_stripes:.1%})",
+            "both stretches overlap by half of their union",
+        ),
+        (
             f"Pairs of the first 5 min found again in {minutes} min",
-            f"{len(again)} of {len(a)} ({len(again) / len(a):.1%})",
+            f"{len(again)} of {all_pairs} ({len(again) / all_pairs:.1%})",
             "both stretches overlap by half of their union",
         ),
         (
@@ -94,6 +103,13 @@ def agreement(short: dict, long: dict, minutes: int) -> list[Row]:
             "difference of all four borders of a pair",
         ),
     ]
+
+
+def found_again(short: list, long: list) -> tuple[list[np.ndarray], int]:
+    """Differences of the borders of those pairs of a short search that a long one has, and how many there are."""
+    a, b = (np.array(pairs).reshape(-1, 4) for pairs in (short, long))
+    differences = [nearest(pair, b) for pair in a]
+    return [d for d in differences if d is not None], len(a)
 
 
 def nearest(pair: np.ndarray, others: np.ndarray) -> np.ndarray | None:
@@ -123,6 +139,7 @@ def measured(case: str) -> dict:
     found = discovery.find_patterns(given)
     wall, cpu = time.perf_counter() - wall, time.process_time() - cpu
     pairs = [(*pair.a, *pair.b) for pair in found.pairs if pair.b[1] <= FIRST_S * RATE]
+    stripes = traced_in(given) if case.isdigit() else []
     names = ("compared_within_s", "paths_left_out", "pairs_left_out", "stripes_left_out")
     return {
         "wall": wall,
@@ -131,8 +148,27 @@ def measured(case: str) -> dict:
         "patterns": len(found),
         "pair_count": len(found.pairs),
         "pairs": pairs,
+        "stripes": stripes,
         "limits": {name: found.parameters[name] for name in names if name in found.parameters},
     }
+
+
+def traced_in(given: FeatureSequence) -> list[tuple[float, ...]]:
+    """Trace a recording; both stretches of each stripe that lies within the first five minutes, frames."""
+    work = resample(given, WORKING_RATE)
+    distances = Distances(work)
+    stripes = trace_stripes(
+        distances,
+        USUAL.likeness(distances),
+        max_distance=USUAL.max_distance,
+        min_duration_s=USUAL.shortest / WORKING_RATE,
+    ).stripes
+    ratio = given.rate / WORKING_RATE
+    return [
+        tuple(ratio * moment for moment in (*stripe.a, *stripe.b))
+        for stripe in stripes
+        if stripe.b[1] * ratio <= FIRST_S * given.rate
+    ]
 
 
 def _memory() -> float:

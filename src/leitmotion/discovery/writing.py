@@ -24,9 +24,6 @@ from leitmotion.similarity import Distances, align
 COMPARED = 60  # pairs of occurrences that are aligned to judge a pattern
 MIN_AGREEMENT = 0.5  # of the pairs of occurrences must be alike
 PAIRS = 10_000  # of one pattern that are written down, those of occurrences that follow soonest first
-ALIGNED = (
-    1_000  # pairs of one pattern that no stripe shows and that are aligned, those that follow soonest first
-)
 STRIPES = 2_000  # of one pattern that are written down, those that gain most first
 
 
@@ -174,7 +171,7 @@ class Scribe:
                     pieces[joined] = stripe.path[piece]
         spans = list(zip(occurrences.starts / self.ratio, occurrences.stops / self.ratio, strict=True))
         missing = (pair for pair in _neighbours_first(len(spans)) if pair not in pieces)
-        for i, j in islice(missing, ALIGNED):
+        for i, j in islice(missing, PAIRS):
             rows, columns = (range(int(np.ceil(spans[k][0])), int(np.ceil(spans[k][1]))) for k in (i, j))
             if len(rows) * len(columns) > HELD:
                 continue
