@@ -360,7 +360,7 @@ def test_features_that_a_recording_does_not_have_are_refused_in_words(run: Run, 
     told = run("patterns", made / "jacks.bvh", "--features", "marker_posture")
     assert told.stderr == (
         "Error: The feature marker_posture compares the markers of a recording, and this is a skeleton. Compare one of "
-        "posture, velocity, joint_angles.\n"
+        "posture, velocity, joint_angles, limb_directions.\n"
     )
 
 
@@ -404,7 +404,7 @@ def test_what_is_far_from_usual_is_remarked(
 
 
 def test_the_help_names_the_defaults_that_are(run: Run) -> None:
-    from leitmotion.discovery.across import MAX_DISTANCE
+    from leitmotion.discovery.across import DIRECTIONS, PLACES
     from leitmotion.discovery.recurrence import find_recurrences
     from leitmotion.discovery.tang2008 import find_patterns_tang2008
     from leitmotion.features import FEATURES
@@ -416,7 +416,8 @@ def test_the_help_names_the_defaults_that_are(run: Run) -> None:
             assert f"{feature.alike['equal']:g} {measured} of {name}" in told
     active = ", ".join(f"{feature.alike['active']:g}" for feature in FEATURES.values() if feature.alike)
     assert f"with --weights active {active}" in told
-    assert f"with --across {MAX_DISTANCE:g} of posture" in told
+    limits = f"{DIRECTIONS.max_distance:g} of limb_directions, {PLACES.max_distance:g} of posture"
+    assert f"with --across {limits}" in told
     assert f"largest distance; {_default(find_patterns_tang2008, 'threshold'):g} by default" in told
     assert f"stretch that counts; {_default(find_recurrences, 'min_duration_s'):g} by default" in told
 
