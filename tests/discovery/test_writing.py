@@ -6,7 +6,10 @@ import numpy as np
 import pytest
 
 from leitmotion.discovery import find_patterns, writing
-from leitmotion.features import FeatureSequence
+from leitmotion.discovery.recurrence import USUAL
+from leitmotion.features import FeatureSequence, resample
+from leitmotion.motion import Segmentation
+from leitmotion.similarity import Distances
 
 
 @pytest.fixture(scope="module")
@@ -41,6 +44,19 @@ def test_of_many_pairs_those_that_follow_soonest_are_written_and_the_rest_told(s
     assert set(map(_paths, some.pairs)) < set(map(_paths, whole.pairs))
     lags = [pair.b[0] - pair.a[0] for pair in whole.pairs]
     assert max(pair.b[0] - pair.a[0] for pair in some.pairs) <= sorted(lags)[12]
+
+
+@pytest.mark.parametrize("rate", [4.0, 20.0, 25.0, 30.0, 50.0, 59.94])
+def test_occurrences_up_to_the_last_frame_are_laid_over_one_another_within_the_recording(rate):
+    frames = np.arange(round(3 * rate) + 1)
+    for end in (len(frames) - 1, len(frames)):
+        swing = 0.3 * np.sin(2 * np.pi * frames[:end] / (1.5 * rate))
+        features = FeatureSequence(np.outer(swing, np.ones(9)), tuple("abc"), rate, ("place",), 3)
+        distances = Distances(resample(features, 30.0))
+        scribe = writing.Scribe(features, distances, USUAL)
+        halves = Segmentation([0, end - round(1.5 * rate)], [round(1.5 * rate), end], rate=rate)
+        (path,) = scribe._between_occurrences(halves, []).values()
+        assert path.max() < len(distances)
 
 
 def _paths(pair):

@@ -170,9 +170,12 @@ class Scribe:
                 if piece.stop - piece.start > len(pieces.get(joined, ())):
                     pieces[joined] = stripe.path[piece]
         spans = list(zip(occurrences.starts / self.ratio, occurrences.stops / self.ratio, strict=True))
+        last = len(self.distances)
         missing = (pair for pair in _neighbours_first(len(spans)) if pair not in pieces)
         for i, j in islice(missing, PAIRS):
-            rows, columns = (range(int(np.ceil(spans[k][0])), int(np.ceil(spans[k][1]))) for k in (i, j))
+            rows, columns = (
+                range(int(np.ceil(a)), min(last, int(np.ceil(b)))) for a, b in (spans[i], spans[j])
+            )
             if len(rows) * len(columns) > HELD:
                 continue
             apart = self.distances.between(rows, columns)
