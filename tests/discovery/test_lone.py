@@ -7,6 +7,7 @@ from tests.oracles import whole as twin
 from leitmotion.discovery import _whole_kernels
 from leitmotion.discovery.lone import with_lone_occurrences
 from leitmotion.discovery.returns import Return
+from leitmotion.discovery.stripes import SAMPLED
 from leitmotion.features import FeatureSequence
 from leitmotion.similarity import Distances
 
@@ -35,12 +36,12 @@ def recording(*parts, gap=40):
     return Distances(FeatureSequence(values, ("a", "b", "c"), 30.0, ("place",), 3)), begins
 
 
-def more(distances, known, taken=()):
+def more(distances, known, taken=(), max_distance=0.054):
     item = Return([(float(a), float(a + LENGTH)) for a in known], [], np.zeros((0, 2)), 1.0)
     hidden = np.zeros(len(distances), bool)
     for span in taken:
         hidden[slice(*span)] = True
-    (found,) = with_lone_occurrences([item], hidden, distances, max_distance=0.054, min_contrast=0.3)
+    (found,) = with_lone_occurrences([item], hidden, distances, max_distance=max_distance, min_contrast=0.3)
     return [span for span in found.spans if span[0] not in known]
 
 
@@ -60,6 +61,30 @@ def test_what_is_taken_is_not_found_again():
 def test_another_movement_and_stillness_are_not_found():
     distances, begins = recording(reach(), reach(), np.roll(reach(), 3, axis=1), gap=90)
     assert more(distances, begins[:2]) == []
+
+
+@pytest.mark.filterwarnings("error")
+def test_what_is_not_seen_is_near_at_no_distance():
+    distances, begins = recording(reach(), reach(), reach())
+    values = distances.features.values.copy()
+    values[: begins[2] - 20, 6:] = np.nan
+    values[begins[2] - 20 :, :6] = np.nan
+    assert more(Distances(distances.features.replace(values=values)), begins[:2], max_distance=1.0) == []
+
+
+def test_what_surrounds_a_long_movement_is_sampled(monkeypatch):
+    distances, begins = recording(reach(0.1, 600), reach(0.1, 600), reach(0.1, 600))
+    asked = []
+    between = Distances.between
+    monkeypatch.setattr(
+        Distances, "between", lambda self, *sides: asked.append(sides) or between(self, *sides)
+    )
+    item = Return([(float(a), a + 600.0) for a in begins[:2]], [], np.zeros((0, 2)), 1.0)
+    taken = np.zeros(len(distances), bool)
+    (found,) = with_lone_occurrences([item], taken, distances, max_distance=0.054, min_contrast=0.3)
+    assert len(found.spans) == 3
+    around = [len(rows) * len(columns) for rows, columns in asked if max(rows.step, columns.step) > 1]
+    assert 0 < max(around) <= SAMPLED**2
 
 
 def test_courses_are_those_of_the_twin(rng):

@@ -35,6 +35,14 @@ def test_movements_that_nothing_repeats_are_none():
     assert found_in(distances) == []
 
 
+@pytest.mark.filterwarnings("error")
+def test_moves_that_mostly_rest_are_weighed_too():
+    nods = [reach(0.1, 18), np.zeros((50, 9)), reach(0.1, 18)]
+    distances, _ = recording(np.concatenate(nods), np.concatenate(nods), gap=90)
+    (spans,) = found_in(distances)
+    assert len(spans) == 2
+
+
 def test_what_is_known_already_is_passed_over():
     distances, begins = recording(reach(0.25), reach(-0.25))
     values = distances.features.values.copy()

@@ -18,10 +18,11 @@ from leitmotion.discovery.labour import share_work
 from leitmotion.discovery.overlay import AGREED, overlay_of_stretches
 from leitmotion.discovery.pauses import true_runs
 from leitmotion.discovery.returns import Return
+from leitmotion.discovery.stripes import SAMPLED
 from leitmotion.similarity import Distances
 
 SHORTER = 0.5  # of the typical occurrence: none is shorter
-SAMPLED = 600  # moments a side, about, that tell how near anything is to a long movement
+UNSEEN = 1.0  # body sizes: what counts where a distance is not known, unless that is near
 COMPARED = 8  # occurrences among which the typical one is looked for
 
 
@@ -86,7 +87,7 @@ def _courses(
     """Free stretches through which movements run, the nearest first."""
     from leitmotion.discovery import _whole_kernels
 
-    free = true_runs(~taken)
+    free, unseen = true_runs(~taken), max(UNSEEN, farthest)
     found: list[list[_Course]] = [[] for _ in typical]
 
     def look(part: slice) -> None:
@@ -97,7 +98,7 @@ def _courses(
                 if stop - start < least:
                     continue
                 costs, begins = _whole_kernels.courses(
-                    distances.across, movement.start, movement.stop, start, stop, distances.width, 1.0
+                    distances.across, movement.start, movement.stop, start, stop, distances.width, unseen
                 )
                 lengths = np.arange(1, stop - start + 1) - begins
                 for j in np.flatnonzero((costs < farthest) & (lengths >= least)).tolist():

@@ -109,8 +109,8 @@ def _alike(spans: np.ndarray, distances: Distances, criteria: Criteria) -> tuple
         return np.zeros((0, 2), np.int64), np.zeros(0)
     pairs = np.concatenate([found[k][0] for k in sorted(found)])
     costs = np.concatenate([found[k][1] for k in sorted(found)])
-    around = [np.nanmedian(distances.between(range(*spans[x]), range(*spans[y]))) for x, y in pairs]
-    contrasts = 1 - costs / np.array(around) if len(pairs) else np.zeros(0)
+    around = np.array([np.nanmedian(distances.between(range(*spans[x]), range(*spans[y]))) for x, y in pairs])
+    contrasts = 1 - np.divide(costs, around, out=np.ones(len(pairs)), where=around > 0)
     clear = contrasts > criteria.min_contrast
     return pairs[clear], contrasts[clear]
 
