@@ -7,7 +7,7 @@ import pytest
 from tests.discovery.test_lone import reach, recording
 from tests.oracles import whole as twin
 
-from leitmotion.discovery import _whole_kernels
+from leitmotion.discovery import _whole_kernels, moves
 from leitmotion.discovery.moves import moves_of
 from leitmotion.discovery.search import Criteria
 from leitmotion.discovery.stripes import likeness
@@ -19,7 +19,7 @@ CRITERIA = Criteria(max_distance=0.08, min_contrast=0.4, min_amplitude=0.012, sh
 
 def found_in(distances):
     alike = likeness(distances, max_distance=CRITERIA.max_distance, min_amplitude=CRITERIA.min_amplitude)
-    return [item.spans for item in moves_of(distances, alike, CRITERIA)]
+    return [item.spans for item in moves_of(distances, alike, CRITERIA).returns]
 
 
 def test_movements_far_apart_half_way_are_one_move():
@@ -60,15 +60,37 @@ def test_no_two_moves_share_a_moment(seed):
     assert all(before[1] <= after[0] for before, after in pairwise(spans))
 
 
+def test_of_too_many_moves_those_far_apart_are_not_compared_and_that_is_told(monkeypatch):
+    other = np.roll(reach(0.3), 3, axis=1)
+    distances, _ = recording(reach(0.25), reach(-0.25), np.zeros((400, 9)), other, gap=40)
+    assert len(found_in(distances)) == 1
+    alike = likeness(distances, max_distance=CRITERIA.max_distance, min_amplitude=CRITERIA.min_amplitude)
+    assert moves_of(distances, alike, CRITERIA).limits == {}
+    monkeypatch.setattr(moves, "MOST", 0)
+    seen = moves_of(distances, alike, CRITERIA)
+    assert seen.limits == {"moves_compared_within_s": moves.WITHIN_S}
+    assert len(seen.returns) == 1
+    monkeypatch.setattr(moves, "WITHIN_S", 0.5)
+    assert moves_of(distances, alike, CRITERIA).returns == []
+
+
 def test_near_pairs_are_those_of_the_twin(rng):
     values = rng.normal(size=(120, 6)).cumsum(axis=0)
     distances = Distances(FeatureSequence(values, ("a", "b"), 30.0, ("place",), 3))
     spans = np.sort(rng.integers(0, 120, (40, 2)), axis=1)
     spans = spans[spans[:, 1] - spans[:, 0] > 5]
     limit, loose = 6.0, 8.0
-    pairs, costs = _whole_kernels.near_pairs(distances.across, spans, 0, len(spans), 3, limit, loose, 2.0)
+    spans, every = spans[np.argsort(spans[:, 0])], np.array((0, 120))
+    pairs, costs, _ = _whole_kernels.near_pairs(
+        distances.across, spans, 0, len(spans), every, 3, limit, loose, 2.0
+    )
     d = distances.between(range(120), range(120)).astype(float)
     expected = twin.near_pairs(d, spans.tolist(), limit, loose, 2.0)
     assert expected
     assert {tuple(pair) for pair in pairs.tolist()} == set(expected)
     assert costs == pytest.approx([expected[tuple(pair)] for pair in pairs.tolist()])
+    soon = np.array((10, 30))
+    some, _, _ = _whole_kernels.near_pairs(distances.across, spans, 0, len(spans), soon, 3, limit, loose, 2.0)
+    lags = spans[pairs[:, 1], 0] - spans[pairs[:, 0], 0]
+    assert np.array_equal(some, pairs[(lags >= 10) & (lags < 30)])
+    assert 0 < len(some) < len(pairs)

@@ -44,28 +44,30 @@ def courses(a, first, last, start, stop, width, unseen):
 
 
 @njit(cache=True, nogil=True)
-def near_pairs(a, spans, k0, k1, width, limit, loose, unlike):
-    """Warp spans k0 to k1 over all later ones that may be alike; pairs nearer than `limit` and how far apart they are.
+def near_pairs(a, spans, k0, k1, later, width, limit, loose, unlike):
+    """Warp spans k0 to k1 over later ones that may be alike; pairs nearer than `limit` and how far apart they are.
 
-    May be alike: they do not overlap, neither lasts more than `unlike` times as long as the other, and laid over one
-    another without warping they are nearer than `loose`.
+    Spans stand in order; those that begin `later` moments later, from the first number to below the second, are
+    compared. May be alike: they do not overlap, neither lasts more than `unlike` times as long as the other, and laid
+    over one another without warping they are nearer than `loose`. Also tells how many distances that took.
     """
     M = a.shape[0] // width
     pairs = np.empty((256, 2), np.int64)
     costs = np.empty(256)
-    n = 0
+    n, work = 0, 0
     longest = 0
     for k in range(spans.shape[0]):
         longest = max(longest, spans[k, 1] - spans[k, 0])
     C = np.empty((3, longest))
-    W = np.empty((3, longest), np.int64)
     d = np.empty((2, longest), np.float32)
     for x in range(k0, k1):
         start, stop = spans[x]
         length = stop - start
-        for y in range(x + 1, spans.shape[0]):
+        for y in range(max(x + 1, np.searchsorted(spans[:, 0], start + later[0])), spans.shape[0]):
             begin, end = spans[y]
             other = end - begin
+            if begin - start >= later[1]:
+                break
             if begin < stop and start < end:
                 continue
             if length > unlike * other or other > unlike * length:
@@ -76,42 +78,59 @@ def near_pairs(a, spans, k0, k1, width, limit, loose, unlike):
                 i = start + (length - 1) * p // (SAMPLES - 1)
                 j = begin + (other - 1) * p // (SAMPLES - 1)
                 apart += _distance(a, i, j, width, M)
+                work += 1
                 if not apart <= SAMPLES * loose:
                     break
             if not apart <= SAMPLES * loose:
                 continue
-            cost = _warped(a, start, stop, begin, end, width, C, W, d)
+            cost, cells = _warped(a, start, stop, begin, end, width, limit, C, d)
+            work += cells
             if cost < limit:
                 if n == costs.size:
                     pairs = np.concatenate((pairs, np.empty_like(pairs)))
                     costs = np.concatenate((costs, np.empty_like(costs)))
                 pairs[n, 0], pairs[n, 1], costs[n] = x, y, cost
                 n += 1
-    return pairs[:n], costs[:n]
+    return pairs[:n], costs[:n], work
 
 
 @njit(cache=True, nogil=True)
-def _warped(a, start, stop, begin, end, width, C, W, d):
+def _warped(a, start, stop, begin, end, width, limit, C, d):
     """Mean distance of two stretches along their warping path, both ends bound, neither twice as fast as the other.
 
-    A diagonal step weighs 2, a straight one, taken together with the diagonal one before it, 1.
+    A diagonal step weighs 2, a straight one, taken together with the diagonal one before it, 1, so that all paths weigh
+    the same. Infinite as soon as no path can stay below `limit`. Also tells how many distances that took.
     """
-    M = end - begin
-    for i in range(stop - start):
+    rows, columns = stop - start - 1, end - begin - 1
+    if rows > 2 * columns or columns > 2 * rows:
+        return np.inf, 0
+    weight = rows + columns + 2
+    best_before, cells = np.inf, 0
+    for i in range(rows + 1):
+        left = rows - i
+        low = max((i + 1) // 2, columns - 2 * left)  # between these columns both ends are within reach
+        high = min(2 * i, columns - (left + 1) // 2)
         C0, C1, C2 = C[i % 3], C[(i - 1) % 3], C[(i - 2) % 3]
-        W0, W1, W2 = W[i % 3], W[(i - 1) % 3], W[(i - 2) % 3]
         d0, d1 = d[i % 2], d[(i - 1) % 2]
-        distances_to(a, start + i, begin, end, 1, width, d0)
-        for j in range(M):
-            best, weight = np.inf, 0
+        first, last = max(0, low - 1), min(columns, high + 1)  # and beside them, where a straight step leads
+        distances_to(a, start + i, begin + first, begin + last + 1, 1, width, d0[first:])
+        cells += last + 1 - first
+        for j in range(max(0, low - 2), min(columns, high + 3) + 1):
+            C0[j] = np.inf
+        best_here = np.inf
+        for j in range(low, high + 1):
+            best = np.inf
             if i == 0 and j == 0:
-                best, weight = 2.0 * d0[j], 2
+                best = 2.0 * d0[j]
             if i > 0 and j > 0 and C1[j - 1] + 2.0 * d0[j] < best:
-                best, weight = C1[j - 1] + 2.0 * d0[j], W1[j - 1] + 2
+                best = C1[j - 1] + 2.0 * d0[j]
             if i > 1 and j > 0 and C2[j - 1] + 2.0 * d1[j] + d0[j] < best:
-                best, weight = C2[j - 1] + 2.0 * d1[j] + d0[j], W2[j - 1] + 3
+                best = C2[j - 1] + 2.0 * d1[j] + d0[j]
             if i > 0 and j > 1 and C1[j - 2] + 2.0 * d0[j - 1] + d0[j] < best:
-                best, weight = C1[j - 2] + 2.0 * d0[j - 1] + d0[j], W1[j - 2] + 3
-            C0[j], W0[j] = best, weight
-    i = stop - start - 1
-    return C[i % 3, M - 1] / max(1, W[i % 3, M - 1])
+                best = C1[j - 2] + 2.0 * d0[j - 1] + d0[j]
+            C0[j] = best
+            best_here = min(best_here, best)
+        if min(best_before, best_here) >= limit * weight:
+            return np.inf, cells
+        best_before = best_here
+    return C[rows % 3, columns] / weight, cells

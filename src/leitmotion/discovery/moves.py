@@ -16,7 +16,7 @@ import numpy as np
 from leitmotion.discovery.labour import share_work
 from leitmotion.discovery.pauses import pauses, true_runs
 from leitmotion.discovery.returns import Return
-from leitmotion.discovery.search import Criteria
+from leitmotion.discovery.search import Criteria, Seen
 from leitmotion.discovery.stripes import Likeness, measure
 from leitmotion.similarity import Distances, align
 
@@ -26,9 +26,13 @@ MARGIN = 3  # moments: so near to an end there is no pause
 AWAY = 1.33  # times the distance of what is alike: how far a move must lead away from where it began
 LOOSE = 2.2  # times that distance: laid over one another without warping, moves that are alike are nearer
 UNLIKE = 2.0  # times as long: a move is never another one performed so slowly
+WITHIN_S = (
+    10.0  # moves that follow one another sooner are compared first, then those twice as far apart, and so on
+)
+MOST = 5_000_000_000  # distances computed before those farther apart are left out: about a minute
 
 
-def moves_of(distances: Distances, alike: Likeness, criteria: Criteria) -> list[Return]:
+def moves_of(distances: Distances, alike: Likeness, criteria: Criteria) -> Seen:
     """Find whole movements that come back.
 
     Parameters
@@ -42,11 +46,12 @@ def moves_of(distances: Distances, alike: Likeness, criteria: Criteria) -> list[
 
     Returns
     -------
-    list of Return
-        The one that explains most first, no two of them sharing a moment.
+    Seen
+        Returns, the one that explains most first, no two of them sharing a moment. Where much is like much else,
+        ``moves_compared_within_s`` among the limits: moves farther apart were not compared.
     """
     spans = _spans(distances, alike, criteria)
-    pairs, contrasts = _alike(spans, distances, criteria)
+    pairs, contrasts, limits = _alike(spans, distances, criteria)
     found = []
     for explained, (seed, *others) in _groups(spans, pairs, contrasts):
         stripes = measure([_path(distances, spans[seed], spans[other]) for other in others], distances, alike)
@@ -58,7 +63,7 @@ def moves_of(distances: Distances, alike: Likeness, criteria: Criteria) -> list[
         if clear:
             stretches = sorted((float(start), float(stop)) for start, stop in spans[[seed, *clear]])
             found.append(Return(stretches, list(clear.values()), np.zeros((0, 2), int), explained))
-    return found
+    return Seen([], found, limits)
 
 
 def _spans(distances: Distances, alike: Likeness, criteria: Criteria) -> np.ndarray:
@@ -92,27 +97,41 @@ def _leads_away(distances: Distances, start: int, stop: int, far: float) -> bool
     return bool(np.nanmax(distances.between(range(start, start + 1), range(start, stop)), initial=0) > far)
 
 
-def _alike(spans: np.ndarray, distances: Distances, criteria: Criteria) -> tuple[np.ndarray, np.ndarray]:
-    """Pairs of spans that are alike from beginning to end, (P, 2), and how clearly, (P,)."""
+def _alike(
+    spans: np.ndarray, distances: Distances, criteria: Criteria
+) -> tuple[np.ndarray, np.ndarray, dict[str, object]]:
+    """Pairs of spans that are alike from beginning to end, (P, 2), how clearly, (P,), and what was not compared."""
     from leitmotion.discovery import _whole_kernels
 
-    found: dict[int, tuple[np.ndarray, np.ndarray]] = {}
+    found: list[tuple[np.ndarray, np.ndarray, int]] = [(np.zeros((0, 2), np.int64), np.zeros(0), 0)]
+    rate = distances.features.rate
+    within = round(WITHIN_S * rate)
+    for sooner in range(0, len(distances), within):
+        if sum(work for _, _, work in found) > MOST:
+            break
+        later = np.array((sooner, sooner + within))
 
-    def compare(part: slice) -> None:
-        found[part.start] = _whole_kernels.near_pairs(
-            distances.across, spans, part.start, part.stop, distances.width,
-            criteria.max_distance, LOOSE * criteria.max_distance, UNLIKE,
-        )  # fmt: skip
+        def compare(part: slice, later: np.ndarray = later) -> None:
+            found.append(
+                _whole_kernels.near_pairs(
+                    distances.across, spans, part.start, part.stop, later, distances.width,
+                    criteria.max_distance, LOOSE * criteria.max_distance, UNLIKE,
+                )
+            )  # fmt: skip
 
-    share_work(compare, len(spans), 64)
-    if not found:
-        return np.zeros((0, 2), np.int64), np.zeros(0)
-    pairs = np.concatenate([found[k][0] for k in sorted(found)])
-    costs = np.concatenate([found[k][1] for k in sorted(found)])
+        share_work(compare, len(spans), 512)
+    else:
+        sooner = len(distances)
+    pairs = np.concatenate([near for near, _, _ in found])
+    order = np.lexsort(pairs.T[::-1])
+    pairs, costs = pairs[order], np.concatenate([cost for _, cost, _ in found])[order]
     around = np.array([np.nanmedian(distances.between(range(*spans[x]), range(*spans[y]))) for x, y in pairs])
     contrasts = 1 - np.divide(costs, around, out=np.ones(len(pairs)), where=around > 0)
     clear = contrasts > criteria.min_contrast
-    return pairs[clear], contrasts[clear]
+    limits: dict[str, object] = {}
+    if sooner < len(distances):
+        limits["moves_compared_within_s"] = round(sooner / rate, 1)
+    return pairs[clear], contrasts[clear], limits
 
 
 def _groups(spans: np.ndarray, pairs: np.ndarray, contrasts: np.ndarray) -> list[tuple[float, list[int]]]:

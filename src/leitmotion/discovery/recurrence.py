@@ -23,7 +23,7 @@ from leitmotion.discovery.moves import moves_of
 from leitmotion.discovery.pattern import Patterns
 from leitmotion.discovery.pauses import true_runs
 from leitmotion.discovery.refine import Refiner
-from leitmotion.discovery.search import Criteria, SecondLook, Seen, search
+from leitmotion.discovery.search import Criteria, SecondLook, search
 from leitmotion.discovery.stripes import AMPLITUDE_SHARE, REACH_S, Likeness, likeness
 from leitmotion.discovery.tracing import trace_stripes
 from leitmotion.discovery.writing import Found, Scribe, length_in_words
@@ -181,7 +181,7 @@ def look(
     distances = Distances(work)
     refine = Refiner(features, work.rate, criteria.max_distance)
     seen = search(distances, criteria, refine)
-    found = Scribe(features, distances, criteria).describe(seen)
+    found, limits = Scribe(features, distances, criteria).describe(seen), seen.limits
     left = _left_over(work, found, features.rate)
     if left is not None:
         wider = second_look.of(criteria)
@@ -189,8 +189,10 @@ def look(
         found += scribe.describe(search(left, wider, refine))
         left = _left_over(work, found, features.rate)
         if left is not None:
-            found += scribe.describe(Seen([], moves_of(left, scribe.alike, wider), {}))
-    return found, seen.limits
+            moves = moves_of(left, scribe.alike, wider)
+            found += scribe.describe(moves)
+            limits = moves.limits | limits
+    return found, limits
 
 
 def _left_over(work: FeatureSequence, found: Sequence[Found], rate: float) -> Distances | None:
