@@ -10,7 +10,7 @@ from leitmotion.datasets import compose_session
 from leitmotion.discovery import Patterns, find_patterns, recurrence
 from leitmotion.discovery.pattern import letter
 from leitmotion.discovery.refine import Refiner
-from leitmotion.discovery.search import Criteria
+from leitmotion.discovery.search import Criteria, Seen
 from leitmotion.discovery.search import search as search_stretches
 from leitmotion.discovery.writing import Scribe, joined_spans
 from leitmotion.features import FeatureSequence
@@ -101,6 +101,26 @@ def test_two_cycles_are_cyclic():
 def test_a_movement_that_comes_back_later_is_acyclic():
     (pattern,) = find_patterns(swings(1, 1, pause_s=3.0)).patterns
     assert (pattern.kind, len(pattern.occurrences)) == ("acyclic", 2)
+
+
+def test_one_posture_held_throughout_is_told_as_what_was_asked_for():
+    held = FeatureSequence(np.ones((90, 9)), ("a", "b", "c"), 30.0, ("place",), 3)
+    assert "stillness does not count" in find_patterns(held).nearest_miss
+    assert "no posture is held again" in find_patterns(held, stillness=True).nearest_miss
+
+
+def test_what_bounded_the_second_look_is_told_too(monkeypatch):
+    bent = [np.zeros((60, 9)), swings(1).values + np.linspace(0, 1, 90)[:, None], np.zeros((60, 9))]
+    values = FeatureSequence(np.concatenate(bent), ("a", "b", "c"), 30.0, ("place",), 3)
+    seen = []
+
+    def bounded(distances, criteria, refine):
+        seen.append(criteria)
+        return Seen([], [], {"compared_within_s": 40.0 / len(seen)})
+
+    monkeypatch.setattr(recurrence, "search", bounded)
+    parameters = find_patterns(values).parameters
+    assert (parameters["compared_within_s"], parameters["second_compared_within_s"]) == (40.0, 20.0)
 
 
 def test_stillness_is_no_pattern_unless_asked_for(rng):

@@ -113,6 +113,9 @@ def test_an_empty_result_says_only_what_is_true() -> None:
         "You can still play it and compare any two moments."
     )
     assert "stillness does not count" in words.empty_text(found(), still=True)
+    held = found()
+    held = held.replace(parameters=held.parameters | {"stillness": True})
+    assert "stillness" not in words.empty_text(held, still=True)
     assert words.empty_text(found(min_duration_s=2.0), still=False).startswith("No stretch of 2 s or longer")
     assert words.empty_text(found(), still=False).startswith("No stretch comes back.")
 

@@ -186,7 +186,9 @@ def look(
     if left is not None:
         wider = second_look.of(criteria)
         scribe = Scribe(features, distances, wider)
-        found += scribe.describe(search(left, wider, refine))
+        again = search(left, wider, refine)
+        found += scribe.describe(again)
+        limits = limits | {f"second_{name}": value for name, value in again.limits.items()}
         left = _left_over(work, found, features.rate)
         if left is not None:
             moves = moves_of(left, scribe.alike, wider)
@@ -242,7 +244,8 @@ def _nearest_miss(
     if not np.isfinite(distances.features.values).any():
         return "Nothing was seen in this recording."
     if alike.still.all():
-        return "The body keeps still all the time, and stillness does not count as a repeat."
+        held = "no posture is held again" if asked["stillness"] else "stillness does not count as a repeat"
+        return f"The body keeps still all the time, and {held}."
     generous = 2 * asked["max_distance"]
     alike = likeness(distances, max_distance=generous, min_amplitude=asked["min_amplitude"], share=1.0)
     near = trace_stripes(

@@ -229,7 +229,7 @@ def empty_text(patterns: Patterns, *, still: bool, remark: str = "") -> str:
     sentences = [f"No stretch of {what} or longer comes back." if what else "No stretch comes back."]
     if patterns.nearest_miss:
         sentences.append(patterns.nearest_miss.rstrip(".") + ".")
-    if still:
+    if still and not patterns.parameters.get("stillness"):
         sentences.append(
             "Moments look alike only where the body keeps still (the dark blocks), "
             "and stillness does not count as a repeat."
