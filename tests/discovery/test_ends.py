@@ -1,6 +1,7 @@
 """Ends: a cycle that passes from one movement straight into another is none of either."""
 
 import numpy as np
+import pytest
 
 from leitmotion.discovery.ends import without_transitions
 from leitmotion.discovery.families import Run
@@ -57,3 +58,32 @@ def test_alike_cycles_stay_whatever_follows():
 def test_a_run_keeps_two_cycles():
     values = circling(np.concatenate((np.full(6 * CYCLE, 0.1), larger_from(0, 4 * CYCLE))))
     assert borders_left(values, (0, 4), (5 * CYCLE, 2))[1] == (5 * CYCLE, 7 * CYCLE, 2)
+
+
+def cycles_of(radii):
+    """Radii of cycles that keep one each."""
+    return np.repeat(radii, CYCLE)
+
+
+@pytest.mark.parametrize(("beyond", "left"), [(0.07, 9), (0.1, 8)])
+def test_an_end_is_judged_by_how_unlike_the_inner_cycles_are(beyond, left):
+    inner = [0.1, 0.14] * 4
+    values = circling(cycles_of([*inner, 0.1 + beyond, 0.3]))
+    assert borders_left(values, (0, 9))[0][2] == left
+
+
+@pytest.mark.parametrize(("beyond", "left"), [(0.01, 6), (0.06, 5)])
+def test_an_end_that_is_nearer_than_what_is_alike_stays_though_the_inner_cycles_are_the_same(beyond, left):
+    values = circling(cycles_of([0.2] * 5 + [0.2 + beyond, 0.5]))
+    assert borders_left(values, (0, 6))[0][2] == left
+
+
+@pytest.mark.parametrize(("speed_beyond", "left"), [(0.35, 6), (0.65, 5)])
+def test_a_body_that_slows_to_less_than_half_comes_to_rest(speed_beyond, left):
+    values = circling(cycles_of([0.2] * 5 + [0.3, 0.5]))
+    distances = Distances(FeatureSequence(values, ("a", "b", "c"), 30.0, ("place",), 3))
+    speed = np.where(np.arange(len(values)) < 6 * CYCLE, 0.1, 0.1 * speed_beyond)
+    borders = [float(CYCLE * k) for k in range(7)]
+    theme = Theme([Run(borders[0], borders[-1], CYCLE, [], [], borders)])
+    (kept,) = without_transitions([theme], distances, speed, NEAR)
+    assert kept.runs[0].cycles == left

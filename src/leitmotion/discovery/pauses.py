@@ -82,7 +82,7 @@ def _rested(start: float, stop: float, speed: np.ndarray, rate: float, shortest:
         return start, stop
     slow = REST * float(np.quantile(speed[first:last], FAST))
     leading, trailing = speed[first : first + reach], speed[last - reach : last][::-1]
-    begin = first + int(np.argmin(leading)) if leading.min() < slow else start
+    begin = max(start, first + int(np.argmin(leading))) if leading.min() < slow else start
     end = last - int(np.argmin(trailing)) if trailing.min() < slow else stop
     return (begin, end) if end - begin >= shortest else (start, stop)
 
