@@ -65,7 +65,7 @@ def cycles_of(radii):
     return np.repeat(radii, CYCLE)
 
 
-@pytest.mark.parametrize(("beyond", "left"), [(0.07, 9), (0.1, 8)])
+@pytest.mark.parametrize(("beyond", "left"), [(0.09, 9), (0.12, 8)])
 def test_an_end_is_judged_by_how_unlike_the_inner_cycles_are(beyond, left):
     inner = [0.1, 0.14] * 4
     values = circling(cycles_of([*inner, 0.1 + beyond, 0.3]))

@@ -30,6 +30,44 @@ def test_movements_far_apart_half_way_are_one_move():
         assert min(stop, begin + 45) - max(start, begin) > 0.8 * 45
 
 
+def out_and_back(size=1.0, hurry=0.0, length=60):
+    """A hand that goes out and comes back, faster at first or, negative, at last. (length, 9)."""
+    phase = np.linspace(0, 2 * np.pi, length)
+    phase += hurry * np.sin(phase)
+    values = np.zeros((length, 9))
+    values[:, 0:3] = (0.3 * (1 - np.cos(phase)))[:, None] * (1.0, 0.5, 0.2)
+    values[:, 3:6] = (0.2 * np.sin(phase))[:, None] * (0.2, 1.0, 0.5)
+    return size * values
+
+
+@pytest.mark.parametrize(("size", "count"), [(0.35, 0), (0.5, 1)])
+def test_a_move_leads_away_from_where_it_began(size, count):
+    distances, _ = recording(out_and_back(size), out_and_back(size))
+    assert len(found_in(distances)) == count
+
+
+@pytest.mark.parametrize(("size", "whole"), [(1.4, True), (3.0, False)])
+def test_moves_of_another_rhythm_are_one_unless_they_are_far_apart_unwarped(size, whole):
+    distances, _ = recording(out_and_back(size, 0.8), out_and_back(size, -0.8), gap=60)
+    lasting = max(stop - start for spans in found_in(distances) for start, stop in spans)
+    assert (lasting > 40) == whole  # else the ways out and back are found one by one
+
+
+def test_a_move_may_take_nearly_twice_as_long():
+    distances, begins = recording(reach(0.2, 45), reach(-0.2, 80))
+    (spans,) = found_in(distances)
+    assert [start for start, _ in spans] == pytest.approx(begins, abs=3)
+
+
+def test_a_move_holds_six_stretches_between_pauses_at_most():
+    distances, _ = recording(*[reach(0.25, 24)] * 12, gap=1)
+    alike = likeness(distances, max_distance=CRITERIA.max_distance, min_amplitude=CRITERIA.min_amplitude)
+    spans = moves._spans(distances, alike, CRITERIA)
+    ends = moves._ends(0, len(distances), alike, 30.0)
+    inside = [sum(start < end < stop for end in ends) for start, stop in spans.tolist()]
+    assert max(inside) == 5
+
+
 def test_movements_that_nothing_repeats_are_none():
     distances, _ = recording(reach(), np.roll(reach(), 3, axis=1))
     assert found_in(distances) == []
