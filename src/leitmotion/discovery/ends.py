@@ -13,7 +13,7 @@ from itertools import combinations, pairwise
 
 import numpy as np
 
-from leitmotion.discovery.overlay import overlay_of_stretches
+from leitmotion.discovery.overlay import overlay_of_spans
 from leitmotion.discovery.themes import Theme
 from leitmotion.similarity import Distances
 
@@ -64,8 +64,7 @@ def _without(theme: Theme, distances: Distances, speed: np.ndarray, max_distance
     fast = GOES_ON * float(np.median(np.concatenate([speed[int(a) : int(b)] for a, b in some])))
 
     def apart(one: tuple[float, float], other: tuple[float, float]) -> float:
-        rows, columns = (range(int(a), min(last, max(int(a) + 2, round(b)))) for a, b in (one, other))
-        return overlay_of_stretches(distances, rows, columns, max_distance)
+        return overlay_of_spans(distances, one, other, max_distance)
 
     usual = float(np.median([apart(one, other) for one, other in combinations(some, 2)]))
     farthest = max(NEAR * max_distance, FARTHER * usual)

@@ -15,7 +15,7 @@ from itertools import combinations, pairwise
 import numpy as np
 
 from leitmotion.discovery.families import Run
-from leitmotion.discovery.overlay import AGREED, overlay_of_stretches
+from leitmotion.discovery.overlay import AGREED, overlay_of_spans
 from leitmotion.discovery.themes import Theme
 from leitmotion.similarity import Distances
 
@@ -68,7 +68,9 @@ def _kinds(cycles: Sequence[tuple[float, float]], distances: Distances, max_dist
     some = np.unique(np.linspace(0, count - 1, min(count, COMPARED)).round().astype(int))
     apart = np.zeros((len(some), len(some)))
     for x, y in combinations(range(len(some)), 2):
-        apart[x, y] = apart[y, x] = _apart(cycles[some[x]], cycles[some[y]], distances, max_distance)
+        apart[x, y] = apart[y, x] = overlay_of_spans(
+            distances, cycles[some[x]], cycles[some[y]], max_distance
+        )
     groups = fcluster(linkage(squareform(apart), "average"), max_distance, "distance") - 1
     kinds = np.zeros(count, int)
     nearest = [some[np.flatnonzero(groups == group)[0]] for group in range(groups.max() + 1)]
@@ -77,7 +79,9 @@ def _kinds(cycles: Sequence[tuple[float, float]], distances: Distances, max_dist
         if at < len(some) and some[at] == k:
             kinds[k] = groups[at]
         else:
-            kinds[k] = int(np.argmin([_apart(cycle, cycles[n], distances, max_distance) for n in nearest]))
+            kinds[k] = int(
+                np.argmin([overlay_of_spans(distances, cycle, cycles[n], max_distance) for n in nearest])
+            )
     return kinds
 
 
@@ -89,25 +93,18 @@ def _gradual(
     for (one, kind), (other, following) in pairwise(zip(cycles, kinds.tolist(), strict=True)):
         if kind != following and one[1] == other[0]:
             step = (min(kind, following), max(kind, following))
-            steps.setdefault(step, []).append(_apart(one, other, distances, max_distance))
+            steps.setdefault(step, []).append(overlay_of_spans(distances, one, other, max_distance))
     merged = kinds.copy()
     for (kind, following), apart in steps.items():
         if np.median(apart) < GRADUAL * max_distance:
             here, there = (np.flatnonzero(kinds == k)[:COMPARED] for k in (kind, following))
-            between = [_apart(cycles[a], cycles[b], distances, max_distance) for a in here for b in there]
+            between = [
+                overlay_of_spans(distances, cycles[a], cycles[b], max_distance) for a in here for b in there
+            ]
             if np.mean(between) < AGREED * max_distance:
                 known, new = sorted((merged[kinds == kind][0], merged[kinds == following][0]))
                 merged[merged == new] = known
     return np.unique(merged, return_inverse=True)[1]
-
-
-def _apart(
-    a: tuple[float, float], b: tuple[float, float], distances: Distances, max_distance: float
-) -> float:
-    """Mean distance of two cycles along their warping path."""
-    last = len(distances)
-    rows, columns = (range(int(start), min(last, max(int(start) + 2, round(stop)))) for start, stop in (a, b))
-    return overlay_of_stretches(distances, rows, columns, max_distance)
 
 
 def _runs_of_kind(cycles: Sequence[tuple[Run, float, float]], kinds: np.ndarray, kind: int) -> list[Run]:

@@ -68,6 +68,30 @@ def overlay_of_stretches(distances: Distances, rows: range, columns: range, unse
     return overlay_of(whole[rows.start : rows.stop], whole[columns.start : columns.stop], unseen)
 
 
+def overlay_of_spans(
+    distances: Distances, one: tuple[float, float], other: tuple[float, float], unseen: float
+) -> float:
+    """Do the same for two stretches that start and stop between moments.
+
+    Parameters
+    ----------
+    distances : Distances
+        Posture distances of N moments.
+    one, other : (float, float)
+        Where each starts and stops, moments.
+    unseen : float
+        As for :func:`overlay_cost`.
+
+    Returns
+    -------
+    float
+        `unseen` where nothing was seen. Of the shortest stretch two moments are compared.
+    """
+    last = len(distances)
+    rows, columns = (range(int(a), min(last, max(int(a) + 2, round(b)))) for a, b in (one, other))
+    return overlay_of_stretches(distances, rows, columns, unseen)
+
+
 def overlay_of(one: FeatureSequence, other: FeatureSequence, unseen: float) -> float:
     """Mean distance of two sequences along their warping path, however long they are.
 

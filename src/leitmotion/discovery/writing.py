@@ -11,7 +11,7 @@ import numpy as np
 
 from leitmotion.discovery.confidence import Evidence, confidence
 from leitmotion.discovery.families import TOUCH
-from leitmotion.discovery.overlay import AGREED, HELD, overlay_of_stretches
+from leitmotion.discovery.overlay import AGREED, HELD, overlay_of_spans
 from leitmotion.discovery.pattern import Pattern, PatternPair, cut_at_occurrences, letter
 from leitmotion.discovery.returns import Return
 from leitmotion.discovery.search import Criteria, Seen
@@ -209,8 +209,7 @@ class Scribe:
         pairs = _compared(len(occurrences))
         costs = []
         for i, j in pairs:
-            rows, columns = (_moments(occurrences[k], len(self.distances)) for k in (i, j))
-            costs.append(overlay_of_stretches(self.distances, rows, columns, self.max_distance))
+            costs.append(overlay_of_spans(self.distances, occurrences[i], occurrences[j], self.max_distance))
         return np.array(costs), pairs
 
     def _within(self, stripes: Sequence[Stripe], spans: Sequence[tuple[float, float]]) -> list[Stripe]:
@@ -280,11 +279,6 @@ def joined_spans(spans: Sequence[tuple[float, float]]) -> list[tuple[float, floa
         else:
             joined.append(after)
     return joined
-
-
-def _moments(span: tuple[float, float], moments: int) -> range:
-    start = int(np.floor(span[0]))
-    return range(start, min(moments, max(start + 2, round(span[1]))))
 
 
 def _compared(count: int) -> np.ndarray:
