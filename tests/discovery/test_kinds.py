@@ -8,6 +8,7 @@ import pytest
 from leitmotion.discovery import kinds
 from leitmotion.discovery.families import Run
 from leitmotion.discovery.kinds import part_themes
+from leitmotion.discovery.overlay import overlay_of_spans
 from leitmotion.discovery.themes import Theme
 from leitmotion.features import FeatureSequence
 from leitmotion.similarity import Distances
@@ -17,12 +18,13 @@ CYCLE = 30
 
 
 def cycles(which):
-    """One cycle a letter: a small swing, a large one, or one of other joints; (N, 9)."""
+    """One cycle a letter: a swing, one of other joints, a larger one, or one with another joint; (N, 9)."""
     swing = 0.5 * (1 - np.cos(2 * np.pi * np.arange(CYCLE) / CYCLE))
     shape = {
         "a": np.repeat([1, 0, 0], 3),
         "b": np.repeat([0, 0, 1], 3),
         "c": np.repeat([1.02, 0, 0], 3),
+        "d": np.repeat([1, 0.7, 0], 3),
     }
     return np.concatenate([0.5 * swing[:, None] * shape[letter] for letter in which])
 
@@ -51,6 +53,14 @@ def test_cycles_of_two_kinds_are_two_themes():
     (first,), (second,) = (part.runs for part in parted)
     assert (first.start, first.stop) == (-0.5, 90.0)
     assert (second.start, second.stop) == (90.0, 180.5)
+
+
+def test_kinds_not_far_apart_are_two_themes_where_the_one_passes_into_the_other_at_once():
+    theme, distances = theme_of("aaaddd")
+    one, other = ((CYCLE * k, CYCLE * (k + 1)) for k in (2, 3))
+    assert NEAR < overlay_of_spans(distances, one, other, NEAR) < kinds.AGREED * NEAR
+    parted = sorted(part_themes([theme], distances, NEAR), key=starts)
+    assert [starts(part) for part in parted] == [[0, 1, 2], [3, 4, 5]]
 
 
 def test_moments_that_were_not_seen_part_no_theme():
