@@ -60,6 +60,22 @@ def test_stretches_that_were_not_compared_are_told(
     assert told["parameters"]["compared_within_s"] < told["source"][0]["seconds"]
 
 
+@pytest.mark.parametrize(
+    ("limit", "what"),
+    [
+        ("second_compared_within_s", "stretches of what was left over"),
+        ("moves_compared_within_s", "whole movements"),
+    ],
+)
+def test_limits_on_what_was_left_over_are_told(limit: str, what: str) -> None:
+    from leitmotion.cli.finding import _not_compared
+    from leitmotion.discovery import Patterns
+
+    told = _not_compared(Patterns((), (), 30.0, {limit: 75.0}, ""))
+    assert told.startswith(f"So much recurs that only {what}")
+    assert "1:15" in told
+
+
 def test_several_inputs_are_told_apart_and_the_bad_one_is_a_sentence(run: Run, made: Path) -> None:
     told = run("patterns", made / "jacks.bvh", made / "missing.bvh", made / "once.bvh")
     assert told.exit_code == 1

@@ -79,10 +79,16 @@ def _not_compared(found: Patterns) -> str:
     """Tell that stretches far apart were not compared, where that was so."""
     from leitmotion.view.counting import clock
 
-    within = found.parameters.get("compared_within_s")
-    if not isinstance(within, float):
-        return ""
-    return f"So much recurs that only stretches within {clock(within)} of one another were compared."
+    limits = {
+        "compared_within_s": "stretches",
+        "second_compared_within_s": "stretches of what was left over",
+        "moves_compared_within_s": "whole movements of what was left over",
+    }
+    for name, what in limits.items():
+        within = found.parameters.get(name)
+        if isinstance(within, float):
+            return f"So much recurs that only {what} within {clock(within)} of one another were compared."
+    return ""
 
 
 def show_patterns(console: Console, found: Patterns, *, seconds: float, body: Body) -> None:
