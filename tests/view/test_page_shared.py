@@ -10,11 +10,13 @@ import pytest
 
 import leitmotion as lm
 from leitmotion.body import Body, embody
-from leitmotion.discovery import SharedPatterns
+from leitmotion.discovery import SharedPattern, SharedPatterns
+from leitmotion.discovery.shared import Places
 from leitmotion.motion import ParameterError
 from leitmotion.similarity import self_distance
 from leitmotion.view import shared_payload
 from leitmotion.view.in_a_row import FINE, features_in_a_row, in_a_row
+from leitmotion.view.shared import pattern_head
 
 Open = Callable[..., Any]
 NAMES = ("ann/first.bvh", "bea/second.bvh", "cat/third.bvh")
@@ -193,3 +195,28 @@ def test_nothing_is_cut_off_sideways(open_page: Open, shared: Shared, width: int
     assert page.evaluate("document.documentElement.scrollWidth") == width
     assert page.locator("#lesson").is_visible()
     assert page.locator("#tab-symmetry").is_hidden()
+
+
+@pytest.mark.browser
+@pytest.mark.parametrize("width", [390, 900, 1440])
+def test_a_long_name_is_shortened_and_cuts_off_no_control(
+    open_page: Open, shared: Shared, folder: Path, width: int
+) -> None:
+    found = shared.found.replace(names=tuple("a_recording_with_quite_a_long_name_" + name for name in "xyz"))
+    page = open_page(
+        lm.report_shared(shared.bodies, folder / "long.html", shared=found, force=True), width=width
+    )
+    sticks_out = """() => [...document.querySelectorAll(".transport button")].filter((button) => {
+      const inside = button.getBoundingClientRect(), row = button.closest(".transport").getBoundingClientRect();
+      return inside.width && (inside.right > row.right || inside.left < row.left);
+    }).length"""
+    assert page.evaluate(sticks_out) == 0
+
+
+def test_times_that_differ_are_told_from_the_shortest_to_the_longest() -> None:
+    places = Places([0, 1], [0, 0], [60, 60])
+    uneven = SharedPattern("A", "acyclic", places, places, 2.5, 0.02, 0.8)
+    found = SharedPatterns((uneven,), (), ("a", "b"), (30.0, 20.0), (90, 90), {})
+    assert pattern_head(uneven, found) == ("2 of 2 recordings", "twice, 2.00–3.00 s each")
+    even = uneven.replace(occurrences=Places([0, 1], [0, 0], [60, 44]), period_s=2.1)
+    assert pattern_head(even, found)[1] == "twice, 2.10 s each"

@@ -172,12 +172,13 @@ def _title(found: SharedPatterns) -> str:
 def _rows(pattern: SharedPattern, found: SharedPatterns) -> list[tuple[str, ...]]:
     """A row for each recording, how often and when; of many the first, in the order given."""
     from leitmotion.view.counting import clock
+    from leitmotion.view.lengths import shared_lasts
 
     head = (
         pattern.id,
         pattern.kind,
         str(len(pattern.recordings)),
-        f"{pattern.period_s:.2f} s",
+        shared_lasts(pattern, found),
         f"{pattern.confidence:.2f}",
     )
     rows: list[tuple[str, ...]] = []

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from leitmotion.discovery import Pattern, Patterns
+import numpy as np
+
+from leitmotion.discovery import Pattern, Patterns, SharedPattern, SharedPatterns
 
 UNEVEN = 0.25  # of the median: times that differ by more are told by the shortest and the longest
 
@@ -21,8 +23,32 @@ def lasts(pattern: Pattern) -> str:
         For example ``"1.74 s"`` or ``"0.83–1.20 s"``.
     """
     lengths = (pattern.occurrences.stops - pattern.occurrences.starts) / pattern.occurrences.rate
-    if lengths.max() - lengths.min() <= UNEVEN * pattern.period_s:
-        return f"{pattern.period_s:.2f} s"
+    return _from_where_to_where(lengths, pattern.period_s)
+
+
+def shared_lasts(pattern: SharedPattern, found: SharedPatterns) -> str:
+    """Say how long one time of a movement lasts that may occur in several recordings, as :func:`lasts` does.
+
+    Parameters
+    ----------
+    pattern : SharedPattern
+        What recurs.
+    found : SharedPatterns
+        What it is one of; it knows the rates.
+
+    Returns
+    -------
+    str
+        For example ``"2.10 s"`` or ``"1.60–2.72 s"``.
+    """
+    places = pattern.occurrences
+    rates = np.asarray(found.rates)[places.recordings]
+    return _from_where_to_where((places.stops - places.starts) / rates, pattern.period_s)
+
+
+def _from_where_to_where(lengths: np.ndarray, median: float) -> str:
+    if lengths.max() - lengths.min() <= UNEVEN * median:
+        return f"{median:.2f} s"
     return f"{lengths.min():.2f}–{lengths.max():.2f} s"
 
 

@@ -20,6 +20,7 @@ from leitmotion.similarity import SimilarityMatrix
 from leitmotion.view.choose import look_across
 from leitmotion.view.counting import clock, count_word, plural, times_word
 from leitmotion.view.in_a_row import ROW_RATE, Row, in_a_row
+from leitmotion.view.lengths import shared_lasts
 from leitmotion.view.payload import page_payload
 from leitmotion.view.report import assembled
 from leitmotion.view.words import Chip, Lead, as_they_stand, listed
@@ -186,8 +187,8 @@ def pattern_head(pattern: SharedPattern, found: SharedPatterns) -> tuple[str, st
     )
     count = len(pattern.occurrences)
     if pattern.kind == "cyclic":
-        return where, f"{plural(count, 'cycle')} of {pattern.period_s:.2f} s"
-    return where, f"{times_word(count)}, {pattern.period_s:.2f} s each"
+        return where, f"{plural(count, 'cycle')} of {shared_lasts(pattern, found)}"
+    return where, f"{times_word(count)}, {shared_lasts(pattern, found)} each"
 
 
 def empty_text(found: SharedPatterns, remark: str) -> str:
