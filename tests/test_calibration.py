@@ -159,7 +159,7 @@ def test_what_cannot_be_calibrated_is_a_sentence(folder, session):
         lm.calibrate([LabelledPair(1, 2, True, "a", "b")], {"a": session.motion})
     with pytest.raises(lm.DataError, match="no pairs"):
         lm.calibrate([], session.motion)
-    with pytest.raises(lm.DataError, match=r"none of the 1 is not alike\. Label some of both"):
+    with pytest.raises(lm.DataError, match=r"but the one is alike\. Label some of both"):
         lm.calibrate([LabelledPair(1, 2, True)], session.motion)
     (folder / "none.csv").write_text("frame_a,frame_b,alike\n", encoding="utf-8")
     with pytest.raises(lm.FormatError, match="expected pairs below the names of the columns, found none"):
@@ -188,3 +188,10 @@ def test_the_thresholds_beside_the_features_are_those_of_the_labels(data, monkey
             found = lm.calibrate(pairs, read, features=name, weights=weights, group="fit")
             assert round(found.threshold, 3) == FEATURES[name].alike[weights], (name, weights)
             assert found.equal_error_rate < 0.25
+
+
+def test_what_is_no_pair_is_named() -> None:
+    motion = lm.compose_session(seed=0, rate=30.0).motion[:60]
+    pairs = [lm.io.LabelledPair(1, 2, True), (3, 20, False)]
+    with pytest.raises(lm.ParameterError, match=r"Pair 1 should be a LabelledPair, got tuple\. Make each"):
+        lm.calibrate(pairs, motion)  # type: ignore[list-item]

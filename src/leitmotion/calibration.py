@@ -170,6 +170,12 @@ def measure(
         labelled = read_pairs(table)
     else:
         labelled = tuple(pairs)
+        for number, pair in enumerate(labelled):
+            if not isinstance(pair, LabelledPair):
+                raise ParameterError(
+                    f"Pair {number} should be a LabelledPair, got {type(pair).__name__}.",
+                    remedy="Make each: leitmotion.io.LabelledPair(frame_a, frame_b, alike).",
+                )
     labelled = _of_groups(labelled, group, check)
     if not labelled:
         raise DataError("There are no pairs to calibrate on.")

@@ -59,7 +59,7 @@ def test_several_answers_are_judged_together_with_intervals(run, made, schema): 
     [
         ("nothing.csv", "found.json", "There is no file nothing.csv."),
         ("labels.csv", "nothing.json", "There is no file nothing.json."),
-        ("labels.csv", "labels.txt", "expected the answer of a search for patterns"),
+        ("labels.csv", "labels.txt", "a search for patterns (.json, .csv, .eaf or .npz), found another."),
         ("labels.csv", "found.eaf", "does not tell the frame rate"),
         ("long.csv", "found.json", "long.csv reaches to 90.00 s, but the recording lasts"),
         ("folder", "found.json", "holds 0 files that may be the truth about"),

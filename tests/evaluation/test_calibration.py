@@ -145,9 +145,9 @@ def test_errors_at_a_threshold_are_counted(rng):
 
 @pytest.mark.parametrize("judge", [equal_error_rate, lambda *args: errors_at(0.1, *args)])
 def test_what_cannot_be_judged_is_a_sentence(judge):
-    with pytest.raises(DataError, match="none of the 2 is not alike"):
+    with pytest.raises(DataError, match="but each of the 2 is alike"):
         judge([0.1, 0.2], [True, True])
-    with pytest.raises(DataError, match="none of the 1 is alike"):
+    with pytest.raises(DataError, match="but the one is not alike"):
         judge([0.1], [False])
     for distances, labels in (
         ([0.1, np.nan], [1, 0]), ([0.1, -1.0], [1, 0]), ([0.1], [1, 0]), ([0.1, 0.2], [1, 2]), ([[0.1]], [[1]]),

@@ -55,6 +55,12 @@ def test_errors_help(rng):
         ParameterError, match="compares how a skeleton's joints are turned, and this is points alone"
     ):
         extract("joint_rotations", points_of(motion))
+    with pytest.raises(ParameterError) as told:
+        extract("marker_posture", motion)
+    assert (
+        told.value.remedy
+        == "Compare one of posture, velocity, joint_angles, limb_directions, joint_rotations."
+    )
     with pytest.raises(ParameterError, match="compares a body, and this is ndarray"):
         extract("posture", np.zeros(3))
     for name, source in (("posture", motion), ("posture", embody(motion)), ("joint_rotations", motion)):

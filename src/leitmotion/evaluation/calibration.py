@@ -232,12 +232,15 @@ def _checked(distances: np.ndarray, alike: np.ndarray) -> tuple[np.ndarray, np.n
             f"A distance is 0 or more and finite, got {distances[wrong[0]]} at pair {wrong[0]}."
         )
     alike = labels.astype(bool)
-    for there, what in ((alike.any(), "alike"), ((~alike).any(), "not alike")):
-        if not there:
-            raise DataError(
-                f"A threshold lies between pairs alike and pairs not alike, but none of the {len(alike)} is {what}.",
-                remedy="Label some of both.",
-            )
+    if alike.all() or not alike.any():
+        count = len(alike)
+        one_kind = (
+            f"{'the one' if count == 1 else f'each of the {count}'} is {'' if alike.all() else 'not '}alike"
+        )
+        raise DataError(
+            f"A threshold lies between pairs alike and pairs not alike, but {one_kind}.",
+            remedy="Label some of both.",
+        )
     return distances, alike
 
 

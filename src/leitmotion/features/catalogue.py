@@ -148,14 +148,14 @@ def extract(
         raise ParameterError(
             f"There is no feature {name!r}.", remedy=f"{hint}Features are {', '.join(FEATURES)}."
         )
-    feature = FEATURES[name]
+    feature, given = FEATURES[name], type(source)
     if feature.takes is Body and isinstance(source, Motion | Trajectories):
         source, body_map = embody(source, body_map), None
     if not isinstance(source, feature.takes):
         held = _HELD.get(type(source), type(source).__name__)
         raise ParameterError(
             f"The feature {name} compares {_WANTED[feature.takes]}, and this is {held}.",
-            remedy=f"Compare one of {', '.join(key for key, one in FEATURES.items() if one.takes is Body)}.",
+            remedy=f"Compare one of {', '.join(key for key, one in FEATURES.items() if one.takes in (Body, given))}.",
         )
     known = list(inspect.signature(feature.compute).parameters)[1:]
     if body_map is not None:

@@ -62,7 +62,7 @@ def read_answers(path: str | PathLike[str], *, rate: float | None = None) -> lis
         return _of_table(decoded(content), path, rate)
     if path.suffix.lower() not in (".json", ".eaf"):
         raise FormatError(
-            f"{path.name}: expected the answer of a search for patterns, .json, .csv or .eaf, found another file.",
+            f"{path.name}: expected the answer of a search for patterns (.json, .csv, .eaf or .npz), found another.",
             remedy=_WRITE_IT,
         )
     if path.suffix.lower() == ".eaf":
