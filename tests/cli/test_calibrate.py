@@ -67,6 +67,15 @@ def test_a_table_without_recordings_has_its_recording_beside_it(run: Run, made: 
     assert alone.stderr.startswith("Error: The pairs name no recordings.")
 
 
+def test_a_few_pairs_are_told_to_settle_nothing(run: Run, made: Path, pairs: Path, tmp_path: Path) -> None:
+    few = "settle no threshold, however narrow the interval: label about a hundred of each."
+    (tmp_path / "short.csv").write_text("frame_a,frame_b,alike\n40,41,1\n40,48,0\n", encoding="utf-8")
+    told = run("calibrate", "short.csv", made / "jacks.bvh")
+    assert f"Note: So few pairs, 1 alike and 1 not, {few}" in told.stderr
+    assert "of 1 pair alike and 1 not" in told.stdout
+    assert few not in run("calibrate", pairs, "--group", "fit").stderr  # twenty of each
+
+
 @pytest.mark.parametrize("ending", [".png", ".svg", ".pdf"])
 def test_picture(run: Run, pairs: Path, ending: str) -> None:
     assert run("calibrate", pairs, "-o", f"curve{ending}").exit_code == 0

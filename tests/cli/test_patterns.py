@@ -363,6 +363,23 @@ def test_what_may_have_been_missed_is_told_when_asked(run: Run, made: Path) -> N
     assert [(one["start"], one["stop"]) for one in residual["left_over"]] == [(0, len(recording))]
 
 
+def test_a_file_that_does_not_hold_what_may_have_been_missed_is_named(run: Run, made: Path) -> None:
+    options = ("patterns", made / "jacks.bvh", "--min-duration", "60", "--residual", "-o")
+    told = "does not hold what may have been missed; write a .csv or .json to keep that."
+    for name in ("missed.html", "missed.eaf"):
+        assert f"Note: {name} {told}" in run(*options, name).stderr
+    assert told not in run(*options, "missed.json").stderr
+    assert told not in run(*options[:-2], "-o", "found.html").stderr
+
+
+def test_who_searches_one_repetition_a_file_is_told_of_across(run: Run, made: Path) -> None:
+    once, jacks = made / "once.bvh", made / "jacks.bvh"
+    hint = "Note: Each recording was searched for itself; --across tells what they share.\n"
+    assert run("patterns", once, f"{once}[1s:3s]").stderr.endswith(hint)
+    for others in ((once,), (once, jacks), (once, once, "--quiet"), (once, once, "--json")):
+        assert "--across" not in run("patterns", *others).stderr
+
+
 def test_nothing_missed_is_an_answer(run: Run) -> None:
     still = np.zeros((90, 15, 3)) + np.arange(15)[:, None] / 10
     lm.write(lm.Trajectories(tuple(f"m{k}" for k in range(15)), still, rate=30.0), "still.npz")
@@ -376,7 +393,7 @@ def test_features_that_a_recording_does_not_have_are_refused_in_words(run: Run, 
     told = run("patterns", made / "jacks.bvh", "--features", "marker_posture")
     assert told.stderr == (
         "Error: The feature marker_posture compares the markers of a recording, and this is a skeleton. Compare one of "
-        "posture, velocity, joint_angles, limb_directions.\n"
+        "posture, velocity, joint_angles, limb_directions, joint_rotations.\n"
     )
 
 
@@ -432,8 +449,8 @@ def test_the_help_names_the_defaults_that_are(run: Run) -> None:
             assert f"{feature.alike['equal']:g} {measured} of {name}" in told
     active = ", ".join(f"{feature.alike['active']:g}" for feature in FEATURES.values() if feature.alike)
     assert f"with --weights active {active}" in told
-    limits = f"{DIRECTIONS.max_distance:g} of limb_directions, {PLACES.max_distance:g} of posture"
-    assert f"with --across {limits}" in told
+    across = f"{DIRECTIONS.max_distance:g} of limb_directions, {PLACES.max_distance:g} of posture"
+    assert f"with --across {across}" in told
     assert f"largest distance; {_default(find_patterns_tang2008, 'threshold'):g} by default" in told
     assert f"stretch that counts; {_default(find_recurrences, 'min_duration_s'):g} by default" in told
 

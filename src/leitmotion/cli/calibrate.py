@@ -26,6 +26,8 @@ if TYPE_CHECKING:
 
 COLUMNS = ("threshold", "false_match", "false_non_match")
 """Columns of the table, one row per threshold."""
+FEW = 20
+"""Pairs of either kind below which the intervals say too little: resampled, a few pairs never show what they lack."""
 
 
 @click.command(
@@ -100,7 +102,8 @@ def calibrate(
             },
             warnings=[
                 f"{looked.source}: {each}" for looked in measured.recordings for each in looked.warnings
-            ],
+            ]
+            + _few(found),
             written=kept,
         )
 
@@ -128,6 +131,8 @@ def _source(looked: Looked) -> Document:
 
 
 def _show(console: Console, found: Calibration, unit: str, options: Options) -> None:
+    from leitmotion.view.counting import plural
+
     what = "Moments" if options.features == "velocity" else "Postures"
     console.print(f"{what} at most {found.threshold:.3g} {unit} apart are alike.", style="bold")
     rows = [
@@ -136,12 +141,12 @@ def _show(console: Console, found: Calibration, unit: str, options: Options) -> 
             "equal error rate",
             f"{found.equal_error_rate:.1%}",
             _between(found.rate_interval, "{:.1%}"),
-            f"of {found.alike} pairs alike and {found.not_alike} not",
+            f"of {plural(found.alike, 'pair')} alike and {found.not_alike} not",
         ),
     ]
     if found.check is not None:
         check = found.check
-        kinds = f"{check.false_non_match:.1%} of {check.alike} pairs alike missed"
+        kinds = f"{check.false_non_match:.1%} of {plural(check.alike, 'pair')} alike missed"
         rows.append(
             (
                 "error of the check group",
@@ -160,6 +165,16 @@ def _show(console: Console, found: Calibration, unit: str, options: Options) -> 
     }
     given = [word for option, value in compared.items() if value for word in (option, value)]
     console.print(f"To search with it: leitmotion patterns INPUT {shlex.join(given)}")
+
+
+def _few(found: Calibration) -> list[str]:
+    """Say that a threshold of a few pairs is not to be relied on, however narrow its interval."""
+    if min(found.alike, found.not_alike) >= FEW:
+        return []
+    told = f"{found.alike} alike and {found.not_alike} not"
+    return [
+        f"So few pairs, {told}, settle no threshold, however narrow the interval: label about a hundred of each."
+    ]
 
 
 def _between(interval: tuple[float, float], form: str) -> str:

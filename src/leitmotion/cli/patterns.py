@@ -35,7 +35,7 @@ from leitmotion.cli.summary import summarise, summary_options
 if TYPE_CHECKING:
     from rich.console import Console
 
-    from leitmotion.api import Patterns, Segmentation
+    from leitmotion.api import Patterns, Residual, Segmentation
 
 OF_ONE = (".html", ".eaf", ".npz", *PICTURES)
 """Endings of what shows a single recording."""
@@ -122,7 +122,7 @@ def patterns(
             result=patterns_result(found) | (residual_result(missed) if missed is not None else {}),
             show=show,
             parameters={**found.parameters, **opened.parameters},
-            warnings=warnings_of(opened, found),
+            warnings=[*warnings_of(opened, found), *_not_kept(options.output, missed)],
             written=kept,
         )
 
@@ -142,6 +142,9 @@ def patterns(
     keep_table(outcome.documents, options, COLUMNS, _rows)
     if beside is not None:
         tell_written(write_documents(beside, outcome.documents, RESIDUAL, residual_rows), options)
+    hint = "" if options.quiet or options.as_json else _share_hint(outcome.documents)
+    if hint:
+        click.echo(f"Note: {hint}", err=True)
     finish(outcome)
 
 
@@ -150,6 +153,21 @@ def _share(inputs: tuple[str, ...], options: Options) -> None:
     outcome = answer_across(inputs, options)
     tell_written(told if "result" in outcome.documents[-1] else "", options)
     finish(outcome)
+
+
+def _not_kept(path: Path | None, missed: Residual | None) -> list[str]:
+    """Say that what may have been missed is not in the file, where its format has no place for it."""
+    if path is None or missed is None or not missed.candidates or path.suffix.lower() not in OF_ONE:
+        return []
+    return [f"{path.name} does not hold what may have been missed; write a .csv or .json to keep that."]
+
+
+def _share_hint(documents: Sequence[Document]) -> str:
+    """Name --across to who searched several recordings one by one and found nothing in any."""
+    results = [document["result"] for document in documents if "result" in document]
+    if len(results) < 2 or any(result["patterns"] for result in results):
+        return ""
+    return "Each recording was searched for itself; --across tells what they share."
 
 
 def _write_one(path: Path, opened: Opened, found: Patterns, options: Options, progress: Progress) -> str:
