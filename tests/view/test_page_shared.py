@@ -217,6 +217,6 @@ def test_times_that_differ_are_told_from_the_shortest_to_the_longest() -> None:
     places = Places([0, 1], [0, 0], [60, 60])
     uneven = SharedPattern("A", "acyclic", places, places, 2.5, 0.02, 0.8)
     found = SharedPatterns((uneven,), (), ("a", "b"), (30.0, 20.0), (90, 90), {})
-    assert pattern_head(uneven, found) == ("2 of 2 recordings", "twice, 2.00–3.00 s each")
+    assert pattern_head(uneven, found) == ("2 of 2 recordings", "twice, 2.0–3.0 s each")
     even = uneven.replace(occurrences=Places([0, 1], [0, 0], [60, 44]), period_s=2.1)
     assert pattern_head(even, found)[1] == "twice, 2.10 s each"

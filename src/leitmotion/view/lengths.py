@@ -20,7 +20,7 @@ def lasts(pattern: Pattern) -> str:
     Returns
     -------
     str
-        For example ``"1.74 s"`` or ``"0.83–1.20 s"``.
+        For example ``"1.74 s"`` or ``"0.8–1.2 s"``.
     """
     lengths = (pattern.occurrences.stops - pattern.occurrences.starts) / pattern.occurrences.rate
     return _from_where_to_where(lengths, pattern.period_s)
@@ -39,7 +39,7 @@ def shared_lasts(pattern: SharedPattern, found: SharedPatterns) -> str:
     Returns
     -------
     str
-        For example ``"2.10 s"`` or ``"1.60–2.72 s"``.
+        For example ``"2.10 s"`` or ``"1.6–2.7 s"``.
     """
     places = pattern.occurrences
     rates = np.asarray(found.rates)[places.recordings]
@@ -49,7 +49,7 @@ def shared_lasts(pattern: SharedPattern, found: SharedPatterns) -> str:
 def _from_where_to_where(lengths: np.ndarray, median: float) -> str:
     if lengths.max() - lengths.min() <= UNEVEN * median:
         return f"{median:.2f} s"
-    return f"{lengths.min():.2f}–{lengths.max():.2f} s"
+    return f"{lengths.min():.1f}–{lengths.max():.1f} s"
 
 
 def overlap(patterns: Patterns) -> str:
