@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
+from itertools import combinations
 from typing import NamedTuple
 
 import numpy as np
@@ -117,8 +118,9 @@ def _typical(spans: Sequence[tuple[float, float]], distances: Distances, max_dis
         range(max(0, int(spans[k][0])), min(last, max(int(spans[k][0]) + 2, int(np.ceil(spans[k][1])))))
         for k in some
     ]
-    apart = [
-        sum(overlay_of_stretches(distances, one, other, max_distance) for other in stretches)
-        for one in stretches
-    ]
+    if len(stretches) < 3:
+        return stretches[0]
+    apart = np.zeros(len(stretches))
+    for one, other in combinations(range(len(stretches)), 2):
+        apart[[one, other]] += overlay_of_stretches(distances, stretches[one], stretches[other], max_distance)
     return stretches[int(np.argmin(apart))]
