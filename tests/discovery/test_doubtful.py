@@ -98,3 +98,17 @@ def test_every_cycle_of_runs_of_changing_tempo_is_told_once(runs):
         at += count * frames + pause
     (pattern,) = find_patterns(composed(*parts))
     np.testing.assert_allclose(pattern.occurrences.starts, begins, atol=4)
+
+
+@pytest.mark.parametrize(
+    ("size", "away", "why"),
+    [
+        (0.3, 1.07, "not near enough: the limit is 5.4 cm"),
+        (0.2, 0.5, "not clear enough: 1.43 times are asked for"),
+    ],
+)
+def test_the_nearest_miss_says_which_bar_it_missed(size, away, why):
+    elsewhere = shift(2, away * MAX_DISTANCE, (np.cos(0.9), -1.0, 0.0))
+    once = closed(size)
+    parts = REST, once, REST, led(0 * elsewhere, elsewhere, 30), once + elsewhere, REST + elsewhere
+    assert why in find_patterns(composed(*parts)).nearest_miss

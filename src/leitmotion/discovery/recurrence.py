@@ -260,8 +260,15 @@ def _nearest_miss(
     a, b = (tuple(moment / WORKING_RATE for moment in span) for span in (best.a, best.b))
     apart = length_in_words(best.cost, features.scale, features.unit)
     times = best.background / best.cost if best.cost > 0 else np.inf
-    clear = f"{times:.1f} times" if times > 1.05 else "no"
+    clear = f"{times:.2f} times" if times > 1.005 else "no"
+    limit = length_in_words(asked["max_distance"], features.scale, features.unit)
+    if best.cost > asked["max_distance"]:
+        why = f"which is not near enough: the limit is {limit}"
+    elif best.contrast < asked["min_contrast"]:
+        why = f"which is not clear enough: {1 / (1 - asked['min_contrast']):.2f} times are asked for"
+    else:
+        why = f"near and clear on average, but not within {limit} for long enough at a time"
     return (
         f"The nearest: {a[0]:.1f} to {a[1]:.1f} s and {b[0]:.1f} to {b[1]:.1f} s are {apart} apart on average, "
-        f"{clear} nearer than their surroundings, which is not near or not clear enough."
+        f"{clear} nearer than their surroundings, {why}."
     )
