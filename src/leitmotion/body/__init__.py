@@ -1,20 +1,27 @@
-"""What is a human body: joint roles and name maps, sides, mirror partners, facing, size."""
+"""What is a human body: joint roles and name maps, sides, mirror partners, facing, size, masses and dynamics."""
 
 from leitmotion.body.body import Body, BodyMap, swap_sides
+from leitmotion.body.dynamics import Dynamics, dynamics
 from leitmotion.body.embody import embody
+from leitmotion.body.flight import Flight
 from leitmotion.body.mapfile import map_from, map_of, map_to_entries
 from leitmotion.body.mapping import find_roles
 from leitmotion.body.roles import ANALYSIS_ROLES, LINKS, ROLES, links_between, mirror_role
+from leitmotion.body.segments import SEGMENTS
 from leitmotion.body.sides import SideCheck, check_sides
 
 __all__ = [
     "ANALYSIS_ROLES",
     "LINKS",
     "ROLES",
+    "SEGMENTS",
     "Body",
     "BodyMap",
+    "Dynamics",
+    "Flight",
     "SideCheck",
     "check_sides",
+    "dynamics",
     "embody",
     "find_roles",
     "links_between",

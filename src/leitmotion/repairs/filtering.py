@@ -1,13 +1,8 @@
-"""Filtering: noise above a frequency taken away, without delay.
-
-A Butterworth filter of second order runs forwards and backwards, so that nothing is delayed and the order is four.
-Two passes would halve the power at the cutoff twice; the cutoff of each pass is raised, on the tangent scale of
-the digital filter, by ``1 / (2**(1/2) - 1)**(1/4) = 1.247``, so that the two together halve it once [1].
+"""Filtering: noise above a frequency taken away by :mod:`leitmotion.motion.smoothing`, without delay.
 
 References
 ----------
-[1] Winter, *Biomechanics and Motor Control of Human Movement*: digital filtering, and the residual analysis that
-    chooses a cutoff.
+[1] Winter, *Biomechanics and Motor Control of Human Movement*: the residual analysis that chooses a cutoff.
 """
 
 from __future__ import annotations
@@ -15,13 +10,9 @@ from __future__ import annotations
 import numpy as np
 
 from leitmotion.motion import DataError, Motion, ParameterError, Trajectories, rotations
+from leitmotion.motion.smoothing import HIGHEST, SHORTEST, smooth
 from leitmotion.repairs.repaired import Change, Recording, Repaired, need_recording, runs
 
-ORDER = 2  # of one pass; two passes make four
-PASSES = 2
-CORRECTION = (2 ** (1 / PASSES) - 1) ** (1 / (2 * ORDER))
-SHORTEST = 5  # frames of a run that is filtered; in fewer there is nothing to part
-HIGHEST = 0.45  # of the rate, for a cutoff
 CANDIDATES = 40  # cutoffs that the residual analysis tries
 MOST_PATHS = 120  # coordinates that speak for the cutoff, evenly spread
 MOST_FRAMES = 20_000
@@ -76,20 +67,20 @@ def low_pass(recording: Recording, cutoff_hz: float | str = "auto") -> Repaired:
             return Repaired(recording, (), ("Too short to be filtered.",))
         places, turns = recording.local_positions, recording.local_rotations
         moving = (places != places[:1]).any(axis=(0, 2))
-        smooth = places.copy()
-        smooth[:, moving] = _smooth(places[:, moving], chosen, recording.rate)
+        placed = places.copy()
+        placed[:, moving] = smooth(places[:, moving], chosen, recording.rate)
         turning = (turns != turns[:1]).any(axis=(0, 2))
         quiet = turns.copy()
         quiet[:, turning] = rotations.normalize(
-            _smooth(rotations.continuous(turns[:, turning]), chosen, recording.rate)
+            smooth(rotations.continuous(turns[:, turning]), chosen, recording.rate)
         )
-        return Repaired(recording.replace(local_positions=smooth, local_rotations=quiet), (change,))
+        return Repaired(recording.replace(local_positions=placed, local_rotations=quiet), (change,))
     positions, short = recording.positions.copy(), 0
     for stretch, points in _whole_stretches(recording):
         if stretch.stop - stretch.start < SHORTEST:
             short += len(points)
             continue
-        positions[stretch, points] = _smooth(positions[stretch, points], chosen, recording.rate)
+        positions[stretch, points] = smooth(positions[stretch, points], chosen, recording.rate)
     few = (
         f"{short} {'stretch' if short == 1 else 'stretches'} of fewer than {SHORTEST} frames left unfiltered."
     )
@@ -124,7 +115,7 @@ def choose_cutoff(recording: Recording) -> float:
     found = []
     for paths in _paths(recording):
         residuals = [
-            np.sqrt(np.mean((paths - _smooth(paths, cutoff, rate)) ** 2, axis=0)) for cutoff in cutoffs
+            np.sqrt(np.mean((paths - smooth(paths, cutoff, rate)) ** 2, axis=0)) for cutoff in cutoffs
         ]
         for residual in np.array(residuals).T:
             cutoff = _where_noise_begins(cutoffs, residual)
@@ -150,19 +141,6 @@ def _where_noise_begins(cutoffs: np.ndarray, residual: np.ndarray) -> float | No
         return float(cutoffs[0])
     share = (residual[k - 1] - noise) / (residual[k - 1] - residual[k])
     return float(cutoffs[k - 1] + share * (cutoffs[k] - cutoffs[k - 1]))
-
-
-def _smooth(paths: np.ndarray, cutoff: float, rate: float) -> np.ndarray:
-    from scipy.signal import butter, sosfiltfilt
-
-    raised = (
-        np.arctan(np.tan(np.pi * cutoff / rate) / CORRECTION) * rate / np.pi
-    )  # on the scale of the digital filter
-    sections = butter(ORDER, raised, fs=rate, output="sos")
-    first = paths[:1]  # taken off, so that a place far from zero costs no digits
-    padding = min(len(paths) - 1, max(9, round(rate / cutoff)))
-    smooth: np.ndarray = sosfiltfilt(sections, paths - first, axis=0, padlen=padding) + first
-    return smooth
 
 
 def _whole_stretches(recording: Trajectories) -> list[tuple[slice, list[int]]]:
