@@ -14,7 +14,8 @@ from numbers import Real
 from pathlib import Path
 from typing import Any
 
-from leitmotion.body import Body, BodyMap, embody, find_roles, map_of
+from leitmotion.body import Body, BodyMap, Dynamics, Flight, embody, find_roles, map_of
+from leitmotion.body import dynamics as compute_dynamics
 from leitmotion.body import swap_sides as exchanged
 from leitmotion.calibration import Calibration, calibrate
 from leitmotion.conversion import Converted, convert
@@ -47,6 +48,8 @@ __all__ = [
     "Calibration",
     "Converted",
     "DataError",
+    "Dynamics",
+    "Flight",
     "FormatError",
     "FoundPatterns",
     "Info",
@@ -69,6 +72,7 @@ __all__ = [
     "calibrate",
     "compose_session",
     "convert",
+    "dynamics",
     "embody",
     "evaluate",
     "find_patterns",
@@ -219,6 +223,57 @@ def search_residual(
     joints = compared and [glob.escape(joint) for joint in compared]
     told = described(recording, name, joints=joints, body_map=roles)
     return search(weighed(told, str(patterns.parameters.get("weights", "equal"))), patterns, **options)
+
+
+def dynamics(
+    recording: Recording,
+    *,
+    mass: float | None = None,
+    sex: str = "mean",
+    cutoff_hz: float | str | None = "usual",
+    body_map: Roles | None = None,
+    swap_sides: bool = False,
+) -> Dynamics:
+    """Compute momentum and energy of each part of a body and of the whole (paper S, sections 2.4 to 2.6).
+
+    The body is 16 rigid segments that weigh and turn as de Leva's table (1996) says, scaled to this body. Where it
+    jumps, the recording is judged by how well it obeys physics between take-off and landing.
+
+    Parameters
+    ----------
+    recording : Motion, Trajectories or Body
+        One person, in metres. Where it holds rotations, they tell how limbs turn about their own axis.
+    mass : float, optional
+        Of the body, kg; 70 by default. Without it momenta and energies are right but for a factor.
+    sex : {"mean", "female", "male"}
+        Whose table is used.
+    cutoff_hz : float, "usual" or None
+        Of the zero-lag low-pass before differentiation, hertz: usual are 10, at most 0.4 of the rate; None: no filter.
+    body_map, swap_sides
+        As for :func:`find_patterns`.
+
+    Returns
+    -------
+    Dynamics
+        Arrays along time, and the flights.
+
+    Raises
+    ------
+    ParameterError
+        When the mass is no positive number, or sex or cutoff are none that there are.
+    DataError
+        When the recording is not in metres and three dimensions, a joint of the body is missing, or all joints are
+        never seen together for five frames.
+
+    Examples
+    --------
+    >>> import leitmotion as lm
+    >>> jump = lm.dynamics(lm.read("jump.bvh"), mass=62)             # doctest: +SKIP
+    >>> [(flight.start, round(flight.gravity, 1)) for flight in jump.flights]   # doctest: +SKIP
+    [(431, 9.7)]
+    """
+    roles = _exchanged(recording, body_map) if swap_sides else body_map
+    return compute_dynamics(recording, mass=mass, sex=sex, cutoff_hz=cutoff_hz, body_map=roles)
 
 
 def report(

@@ -57,7 +57,10 @@ def test_a_wrong_verb_suggests_the_near_one(run: Run, typed: str, meant: str) ->
 def test_a_verb_unlike_any_is_answered_by_their_list(run: Run) -> None:
     told = run("qqq")
     assert told.exit_code == 2
-    assert "The verbs are demo, info, convert, repair, calibrate, patterns, evaluate, report." in told.stderr
+    assert (
+        "The verbs are demo, info, convert, repair, calibrate, patterns, dynamics, evaluate, report."
+        in told.stderr
+    )
 
 
 def test_a_file_in_place_of_the_verb_is_noticed(run: Run) -> None:

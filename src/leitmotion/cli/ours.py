@@ -13,7 +13,17 @@ import re
 from collections.abc import Callable
 from pathlib import Path
 
-WITH_TABLES = ("info", "calibrate", "patterns", "residual", "across", "lesson", "summary", "evaluate")
+WITH_TABLES = (
+    "info",
+    "calibrate",
+    "patterns",
+    "residual",
+    "across",
+    "lesson",
+    "summary",
+    "evaluate",
+    "dynamics",
+)
 """Modules of this package with the ``COLUMNS`` of a table that they write."""
 CREATOR = "Leitmotion"
 """What pictures name as the program that made them."""
@@ -62,12 +72,12 @@ def _document(head: bytes, tail: bytes) -> bool:
 def _table(head: bytes, tail: bytes) -> bool:
     first = head.partition(b"\n")[0].rstrip(b"\r").decode("utf-8", "replace")
     modules = (importlib.import_module(f"leitmotion.cli.{name}") for name in WITH_TABLES)
-    return any(first == ",".join(module.COLUMNS) for module in modules)
+    return any(first == ",".join(module.COLUMNS)[:_ENDS] for module in modules)  # no more was looked at
 
 
 def _search(head: bytes, tail: bytes) -> bool:
-    """A saved search, in the header of its archive; a recording is saved in the same format."""
-    return re.search(rb'"noun": "[\w.]+:(Shared)?Patterns"', head) is not None
+    """A saved search or dynamics, in the header of its archive; a recording is saved in the same format."""
+    return re.search(rb'"noun": "[\w.]+:((Shared)?Patterns|Dynamics)"', head) is not None
 
 
 def _annotations(head: bytes, tail: bytes) -> bool:

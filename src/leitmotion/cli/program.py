@@ -29,6 +29,7 @@ VERBS = {
     "repair": "Mend a recording by remedies that have a name.",
     "calibrate": "Tell from labelled pairs how near alike postures are.",
     "patterns": "Find what recurs in a recording.",
+    "dynamics": "Compute momentum and energy of a body in motion.",
     "evaluate": "Judge an answer by what a person saw.",
     "report": "Write the page that shows what recurs.",
 }

@@ -1,6 +1,7 @@
 """What does a person see: takes the nouns, returns text or figures, writes nothing."""
 
 from leitmotion.view.calibration import plot_calibration
+from leitmotion.view.curves import plot_dynamics
 from leitmotion.view.lanes import plot_shared_patterns
 from leitmotion.view.payload import page_payload
 from leitmotion.view.plots import plot_figures, plot_matrix, plot_patterns
@@ -10,6 +11,7 @@ from leitmotion.view.shared import shared_page, shared_payload
 __all__ = [
     "page_payload",
     "plot_calibration",
+    "plot_dynamics",
     "plot_figures",
     "plot_matrix",
     "plot_patterns",
