@@ -22,10 +22,10 @@ from typing import Any
 import numpy as np
 
 from leitmotion.body.body import Body, BodyMap
-from leitmotion.body.chain import USUAL_CUTOFF, Chain, move_chain, unknown
 from leitmotion.body.flight import Flight
 from leitmotion.body.inertia import AXIAL, inertia_table
 from leitmotion.body.joints import OPTIONAL, joints_by_role, seen_runs
+from leitmotion.body.momenta import USUAL_CUTOFF, Chain, move_chain, unknown
 from leitmotion.body.segments import SEGMENTS, check_roles, lengths_of, stiff_turns
 from leitmotion.motion import Motion, ParameterError, Trajectories
 from leitmotion.motion.noun import Noun, check_rate, noun, set_array, set_names
