@@ -124,12 +124,12 @@ def find_patterns(
         One person.
     method : {"recurrence", "tang2008"}
         How to search: by local alignment, without a parameter to set, or as paper P describes it.
-    features : {"posture", "velocity", "joint_angles", "limb_directions", "joint_rotations", "marker_posture"}
+    features : {"posture", "velocity", "joint_angles", "limb_directions", "joint_rotations", "kinematic_chain", ...}
         What of a frame is compared (:data:`leitmotion.features.FEATURES`). Posture, velocity, angles, directions and
         rotations are invariant to place, yaw, body size and unit; marker posture, all markers as paper P has them
-        (eq. 1), to place and yaw. What counts as alike was calibrated for each (:func:`calibrate`) but marker posture:
-        with that one the method "recurrence" needs ``max_distance``, in metres. Unless they are postures with equal
-        weights, ``min_amplitude`` is by default a fifth of it.
+        (eq. 1), to place and yaw. What counts as alike was calibrated for each (:func:`calibrate`) but the kinematic
+        chain and marker posture: with these the method "recurrence" needs ``max_distance``. Unless they are postures
+        with equal weights, ``min_amplitude`` is by default a fifth of it.
     weights : {"equal", "active"}
         Whether each joint counts alike, or the more the more it moves (:func:`leitmotion.features.active_weights`).
     joints : str or sequence of str, optional

@@ -210,7 +210,15 @@ _DESCRIBING = (
     click.option(
         "--features",
         type=click.Choice(
-            ["posture", "velocity", "joint_angles", "limb_directions", "joint_rotations", "marker_posture"]
+            [
+                "posture",
+                "velocity",
+                "joint_angles",
+                "limb_directions",
+                "joint_rotations",
+                "kinematic_chain",
+                "marker_posture",
+            ]
         ),
         default="posture",
         show_default=True,
@@ -247,7 +255,8 @@ _SEARCHING = (
         help="How far apart moments may be that are alike. By default 0.054 body sizes of posture, 0.23 body sizes a "
         "second of velocity, 0.222 radians of joint_angles, 0.25 radians of limb_directions, 0.126 double radians of "
         "joint_rotations; with --weights active 0.086, 0.319, 0.318, 0.288, 0.159; with --across 0.35 of "
-        "limb_directions, 0.08 of posture; in metres of marker_posture, without a default. `calibrate` tells another.",
+        "limb_directions, 0.08 of posture; without a default of kinematic_chain, and of marker_posture, in metres. "
+        "`calibrate` tells another.",
     ),
     click.option(
         "--threshold",

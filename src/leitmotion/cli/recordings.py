@@ -29,13 +29,13 @@ class Opened(NamedTuple):
 
     def compared_by(self, features: str) -> tuple[Motion | Trajectories | Body, BodyMap | None]:
         """What these features are computed from, and the roles that they need beside it."""
-        from leitmotion.api import Body, Motion
+        from leitmotion.api import Body, Trajectories
         from leitmotion.features import FEATURES
 
         takes = FEATURES[features].takes
         if takes is Body:
             return self.body, None
-        return self.recording, self.roles if takes is Motion else None
+        return self.recording, None if takes is Trajectories else self.roles
 
 
 def open_one(given: Input, options: Options, progress: Progress) -> Opened:

@@ -1,10 +1,13 @@
 """What numbers describe a frame, and what are they invariant to."""
 
 from leitmotion.features.angles import joint_angles
+from leitmotion.features.bias import SideBias, side_bias, without_bias
 from leitmotion.features.catalogue import FEATURES, Feature, extract
+from leitmotion.features.chain import kinematic_chain
 from leitmotion.features.directions import limb_directions, limbs_of
 from leitmotion.features.markers import marker_posture
 from leitmotion.features.mirror import mirrored
+from leitmotion.features.parts import Parts, symmetry_parts
 from leitmotion.features.posture import choose_roles, posture
 from leitmotion.features.resampling import resample
 from leitmotion.features.rotations import joint_rotations
@@ -16,17 +19,23 @@ __all__ = [
     "FEATURES",
     "Feature",
     "FeatureSequence",
+    "Parts",
+    "SideBias",
     "active_weights",
     "choose_roles",
     "extract",
     "joint_angles",
     "joint_rotations",
+    "kinematic_chain",
     "limb_directions",
     "limbs_of",
     "marker_posture",
     "mirrored",
     "posture",
     "resample",
+    "side_bias",
+    "symmetry_parts",
     "velocity",
     "weighted",
+    "without_bias",
 ]

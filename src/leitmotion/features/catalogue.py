@@ -5,11 +5,12 @@ from __future__ import annotations
 import inspect
 from collections.abc import Callable, Mapping, Sequence
 from difflib import get_close_matches
-from types import MappingProxyType
+from types import MappingProxyType, UnionType
 from typing import Any, NamedTuple
 
 from leitmotion.body import Body, BodyMap, embody, map_from
 from leitmotion.features.angles import joint_angles
+from leitmotion.features.chain import kinematic_chain
 from leitmotion.features.directions import limb_directions
 from leitmotion.features.markers import marker_posture
 from leitmotion.features.posture import posture
@@ -18,6 +19,8 @@ from leitmotion.features.sequence import FeatureSequence
 from leitmotion.features.velocity import velocity
 from leitmotion.motion import Motion, ParameterError, Trajectories
 
+ANY = Motion | Trajectories | Body
+
 
 class Feature(NamedTuple):
     """A way to describe a frame."""
@@ -25,8 +28,8 @@ class Feature(NamedTuple):
     compute: Callable[..., FeatureSequence]
     """The function."""
 
-    takes: type
-    """What its first argument is: Body, Motion or Trajectories."""
+    takes: type | UnionType
+    """What its first argument is: Body, Motion or Trajectories, or any of them."""
 
     invariant_to: tuple[str, ...]
     """What may change without changing its values."""
@@ -83,6 +86,13 @@ FEATURES = {
         "double radians",
         MappingProxyType({"equal": 0.126, "active": 0.159}),
     ),
+    "kinematic_chain": Feature(
+        kinematic_chain,
+        ANY,
+        ("place", "yaw", "body_size", "unit", "bone_lengths"),
+        "how the fifteen links of the body are turned (paper S), so that the mirror image is known",
+        "double radians",
+    ),
     "marker_posture": Feature(
         marker_posture,
         Trajectories,
@@ -93,7 +103,8 @@ FEATURES = {
 }
 """The features by name."""
 
-_WANTED = {
+_WANTED: dict[type | UnionType, str] = {
+    ANY: "the recording of a person",
     Body: "a body",
     Motion: "how a skeleton's joints are turned",
     Trajectories: "the markers of a recording",
@@ -122,8 +133,8 @@ def extract(
     body_map : BodyMap or mapping of str, optional
         Which joints or markers stand for which role, also as the content of a map file; by default read from names.
     **options
-        Passed on to the feature: ``roles`` for posture, velocity and joint_rotations, ``mid_back`` and ``trunk`` for
-        marker_posture.
+        Passed on to the feature: ``roles`` for posture, velocity and joint_rotations, ``links`` and ``told_by`` for
+        kinematic_chain, ``mid_back`` and ``trunk`` for marker_posture.
 
     Returns
     -------

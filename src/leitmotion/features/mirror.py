@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from leitmotion.body import mirror_role
+from leitmotion.body import CHAIN_LINKS, mirror_role
 from leitmotion.features.sequence import FeatureSequence
 
 SIDES = ("left_", "right_")
@@ -13,10 +13,13 @@ SIDES = ("left_", "right_")
 def mirrored(features: FeatureSequence) -> FeatureSequence | None:
     """Exchange left and right in postures.
 
+    In a kinematic chain this is W of paper S, section 2.10: (w, x, -y, -z), and the links of the two sides exchanged.
+
     Parameters
     ----------
     features : FeatureSequence
-        Postures, velocities or limb directions of a body that faces +Z, groups of three values: T frames.
+        Postures, velocities or limb directions of a body that faces +Z, groups of three values, or a kinematic chain,
+        groups of four: T frames.
 
     Returns
     -------
@@ -34,10 +37,11 @@ def mirrored(features: FeatureSequence) -> FeatureSequence | None:
     >>> mirrored(weighted(hands, [3, 1])).values.tolist()
     [[6.0, 7.5, 9.0, -0.5, 1.0, 1.5]]
     """
+    is_chain = features.width == 4 and set(features.names) <= set(CHAIN_LINKS)
     if (
-        features.width != 3
+        not (features.width == 3 or is_chain)
         or (features.unit == "rad" and "chest" in features.names)
-        or not any(name.startswith(SIDES) for name in features.names)
+        or not (is_chain or any(name.startswith(SIDES) for name in features.names))
     ):
         return None
     partners = [mirror_role(name) for name in features.names]
@@ -49,5 +53,6 @@ def mirrored(features: FeatureSequence) -> FeatureSequence | None:
     if (own[partner == 0] > 0).any():
         return None
     share = np.divide(own, partner, out=np.zeros_like(own), where=partner > 0)
-    values = features.values.reshape(len(features), -1, 3)[:, order] * [-1.0, 1.0, 1.0] * share[:, None]
+    signs = [1.0, 1.0, -1.0, -1.0] if is_chain else [-1.0, 1.0, 1.0]
+    values = features.values.reshape(len(features), -1, features.width)[:, order] * signs * share[:, None]
     return features.replace(values=np.ascontiguousarray(values.reshape(len(features), -1)))

@@ -74,7 +74,7 @@ def joint_rotations(
     chosen = _choose(joint, roles)
     turned = forward_kinematics(motion).rotations
     values = np.stack([_relative(role, joint, turned) for role in chosen], axis=1)
-    values *= _towards_mean(values)
+    values *= towards_mean(values)
     return FeatureSequence(
         values=values.reshape(len(motion), -1),
         names=chosen,
@@ -113,9 +113,21 @@ def _relative(role: str, joint: dict[str, int], turned: np.ndarray) -> np.ndarra
     return multiply(conjugate(turned[:, joint[above]]), own)
 
 
-def _towards_mean(values: np.ndarray) -> np.ndarray:
-    """Choose of q and -q the one beside the joint's mean rotation, of which w is not negative."""
-    moments = np.einsum("tji,tjk->jik", values, values)
+def towards_mean(values: np.ndarray) -> np.ndarray:
+    """Choose of q and -q the one beside the joint's mean rotation, of which w is not negative.
+
+    Parameters
+    ----------
+    values : (T, J, 4) float
+        Unit quaternions, NaN where unseen.
+
+    Returns
+    -------
+    (T, J, 1) float
+        1 or -1.
+    """
+    seen = np.where(np.isfinite(values), values, 0.0)
+    moments = np.einsum("tji,tjk->jik", seen, seen)
     mean = np.linalg.eigh(moments)[1][..., -1]  # eigenvalues come in ascending order
     mean *= np.where(mean[:, :1] < 0, -1.0, 1.0)
-    return np.where(np.einsum("tji,ji->tj", values, mean) < 0, -1.0, 1.0)[..., None]
+    return np.where(np.einsum("tji,ji->tj", seen, mean) < 0, -1.0, 1.0)[..., None]

@@ -1,0 +1,169 @@
+"""Kinematic chain: fifteen links, each turned against the one that bears it, told by rotations or by places alone.
+
+Conventions
+-----------
+In the rest pose a person stands upright, faces +Z and holds the arms out to the sides; there the frame of every link is
+parallel to the axes of the body, +X to the person's left. Only so is ``(w, x, -y, -z)`` with the sides exchanged the
+mirror image of a posture.
+
+- *Pelvis* and *thorax* are what bears the hips and the shoulders. What turns the thorax against the pelvis is shared
+  evenly among lower back, upper back and thorax, what turns the head against the thorax among lower neck, upper neck
+  and head: a spine of three joints and one of five then say the same.
+- *Femur* and *humerus* point along the bone and are turned about it so that knee and elbow bend in one plane: the shank
+  to the back, the forearm (of an arm held out) to the front.
+- *Tibia* and *radius* are hinges: the shortest way from the straight limb to the bent one.
+
+References
+----------
+Paper S, sections 2.7 to 2.10.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from itertools import product
+
+import numpy as np
+
+from leitmotion.body.rest import LIMBS, Turned, rest_axes
+from leitmotion.motion import DataError
+from leitmotion.motion.directions import between, from_axes, power
+from leitmotion.motion.errors import in_short
+from leitmotion.motion.rotations import IDENTITY, conjugate, multiply, rotate
+
+AXIAL_LINKS = ("pelvis", "lower_back", "upper_back", "thorax", "lower_neck", "upper_neck", "head")
+LIMB_LINKS = ("femur", "tibia", "humerus", "radius")
+CHAIN_LINKS = AXIAL_LINKS + tuple(f"{side}_{link}" for side, link in product(("left", "right"), LIMB_LINKS))
+"""The links of the body (paper S, section 2.7): seven along the axis, four to each side."""
+
+BEARER = dict(zip(AXIAL_LINKS[1:], AXIAL_LINKS, strict=False)) | {
+    f"{side}_{link}": above if link in ("femur", "humerus") else f"{side}_{above}"
+    for side, (link, above) in product(
+        ("left", "right"),
+        {"femur": "pelvis", "tibia": "femur", "humerus": "thorax", "radius": "humerus"}.items(),
+    )
+}
+"""The link that bears each."""
+
+BENT = 0.25  # sine of the bend from which on the plane of a limb tells its turn rather than the shortest way
+
+Points = Mapping[str, np.ndarray]
+
+
+def chain_rotations(at: Points, turned: Turned | None = None) -> dict[str, np.ndarray]:
+    """Turn each link of a body against the one that bears it.
+
+    Parameters
+    ----------
+    at : mapping of str to (T, 3) float
+        Positions by role, NaN where unseen.
+    turned : Turned, optional
+        How the file turns trunk, head and upper bones. Without it the trunk is told by its line (pelvis to neck) and
+        those of hips and shoulders, the head by the line from the neck alone, the turn of an upper bone about itself by
+        the plane of its limb; of a straight limb it is the shortest way from rest.
+
+    Returns
+    -------
+    dict of str to (T, 4) float
+        Unit quaternions by link, those of :data:`CHAIN_LINKS` whose joints the body has on both sides, in their order;
+        the pelvis against the world, its yaw taken out. NaN where a joint was unseen or two coincide.
+
+    Raises
+    ------
+    DataError
+        When the body is planar, or lacks the pelvis, the neck, the hips or the shoulders.
+    """
+    _check(at)
+    pelvis, thorax = (_trunk(at, joint) for joint in ("hip", "shoulder"))
+    head = _head(at, thorax) if "head" in at else None
+    if turned is not None:
+        pelvis, thorax, head = turned.pelvis, turned.thorax, turned.head
+    links = {"pelvis": _without_yaw(pelvis)}
+    links |= dict.fromkeys(AXIAL_LINKS[1:4], power(multiply(conjugate(pelvis), thorax), 1 / 3))
+    if head is not None:
+        links |= dict.fromkeys(AXIAL_LINKS[4:], power(multiply(conjugate(thorax), head), 1 / 3))
+    for side, (bone, joints) in product(("left", "right"), LIMBS.items()):
+        if not _on_both(at, joints[1]):
+            continue
+        bends = None if turned is None else turned.bends[f"{side}_{bone}"]
+        links |= _limb(at, side, bone, pelvis if bone == "femur" else thorax, bends)
+    return {link: links[link] for link in CHAIN_LINKS if link in links}
+
+
+def _check(at: Points) -> None:
+    wanted = ("pelvis", "neck", "left_hip", "right_hip", "left_shoulder", "right_shoulder")
+    missing = [role for role in wanted if role not in at]
+    if missing:
+        raise DataError(
+            f"The kinematic chain begins with the trunk, but no {missing[0]} is known among {in_short(at)}.",
+            remedy="Name it in a map file, --map FILE (body_map= in Python).",
+        )
+    if at["pelvis"].shape[-1] != 3:
+        raise DataError("The kinematic chain needs joints in three dimensions, got two.")
+
+
+def _trunk(at: Points, joint: str) -> np.ndarray:
+    """Frame of pelvis or thorax: up along the trunk, left along the line of hips or shoulders."""
+    up = unit(at["neck"] - at["pelvis"])
+    front = unit(np.cross(at[f"left_{joint}"] - at[f"right_{joint}"], up))
+    return from_axes(np.cross(up, front), up, front)
+
+
+def _head(at: Points, thorax: np.ndarray) -> np.ndarray:
+    up = np.array([0.0, 1.0, 0.0])
+    return multiply(thorax, between(up, rotate(conjugate(thorax), unit(at["head"] - at["neck"]))))
+
+
+def _limb(
+    at: Points, side: str, bone: str, bearer: np.ndarray, bends: np.ndarray | None
+) -> dict[str, np.ndarray]:
+    upper, middle, lower = (f"{side}_{joint}" for joint in LIMBS[bone])
+    hinged = _on_both(at, LIMBS[bone][2])
+    along, bend = rest_axes(bone, side)
+    seen = rotate(conjugate(bearer), unit(at[middle] - at[upper]))
+    below = rotate(conjugate(bearer), unit(at[lower] - at[middle])) if hinged else None
+    if bends is None:
+        towards = _shortest(along, bend, seen) if below is None else _plane(along, bend, seen, below)
+    else:
+        towards = rotate(conjugate(bearer), bends)
+    towards = unit(towards - (towards * seen).sum(axis=-1, keepdims=True) * seen)
+    at_rest = from_axes(along, bend, np.cross(along, bend))
+    own = multiply(from_axes(seen, towards, np.cross(seen, towards)), conjugate(at_rest))
+    links = {f"{side}_{bone}": own}
+    if below is not None:
+        links[f"{side}_{'tibia' if bone == 'femur' else 'radius'}"] = between(
+            along, rotate(conjugate(own), below)
+        )
+    return links
+
+
+def _on_both(at: Points, joint: str) -> bool:
+    return f"left_{joint}" in at and f"right_{joint}" in at
+
+
+def _shortest(along: np.ndarray, bend: np.ndarray, seen: np.ndarray) -> np.ndarray:
+    """Where the shortest way from rest to the bone takes the direction of the bend; shorter the longer the way."""
+    nearness = (1.0 + (seen @ along)[..., None]) / 2.0
+    return nearness * rotate(between(along, seen), np.broadcast_to(bend, seen.shape))
+
+
+def _plane(along: np.ndarray, bend: np.ndarray, seen: np.ndarray, below: np.ndarray) -> np.ndarray:
+    """Which way the lower bone is bent; of a straight limb the shortest way decides, and there is no step between."""
+    bent = below - (below * seen).sum(axis=-1, keepdims=True) * seen
+    return bent + BENT * _shortest(along, bend, seen)
+
+
+def _without_yaw(q: np.ndarray) -> np.ndarray:
+    """Keep the swing of the pelvis: what is left when its twist about the vertical is taken out."""
+    twist = q * [1.0, 0.0, 1.0, 0.0]
+    length = np.linalg.norm(twist, axis=-1, keepdims=True)
+    upside_down = length < 1e-9
+    twist = np.where(upside_down, IDENTITY, twist / np.where(upside_down, 1.0, length))
+    return multiply(conjugate(twist), q)
+
+
+def unit(vectors: np.ndarray) -> np.ndarray:
+    """Scale vectors to length 1; NaN where there is no direction."""
+    length = np.linalg.norm(vectors, axis=-1, keepdims=True)
+    scaled: np.ndarray = vectors / np.where(length > 0, length, np.nan)
+    return scaled
