@@ -7,6 +7,7 @@ from leitmotion.view.payload import page_payload
 from leitmotion.view.plots import plot_figures, plot_matrix, plot_patterns
 from leitmotion.view.report import report_page
 from leitmotion.view.shared import shared_page, shared_payload
+from leitmotion.view.symmetry import plot_symmetry, symmetry_image
 
 __all__ = [
     "page_payload",
@@ -16,7 +17,9 @@ __all__ = [
     "plot_matrix",
     "plot_patterns",
     "plot_shared_patterns",
+    "plot_symmetry",
     "report_page",
     "shared_page",
     "shared_payload",
+    "symmetry_image",
 ]
