@@ -28,6 +28,7 @@ FACADE = (
     "__init__",
     "api",
     "calibration",
+    "comparing",
     "conversion",
     "describing",
     "evaluating",

@@ -18,6 +18,7 @@ from leitmotion.body import Body, BodyMap, Dynamics, Flight, embody, find_roles,
 from leitmotion.body import dynamics as compute_dynamics
 from leitmotion.body import swap_sides as exchanged
 from leitmotion.calibration import Calibration, calibrate
+from leitmotion.comparing import Mirrored, compare_with_mirror
 from leitmotion.conversion import Converted, convert
 from leitmotion.datasets import compose_session
 from leitmotion.describing import Recording, Roles, as_body, described, of_body, weighed
@@ -55,6 +56,7 @@ __all__ = [
     "Info",
     "LeitmotionError",
     "Lesson",
+    "Mirrored",
     "Motion",
     "ParameterError",
     "Pattern",
@@ -70,6 +72,7 @@ __all__ = [
     "Summary",
     "Trajectories",
     "calibrate",
+    "compare_with_mirror",
     "compose_session",
     "convert",
     "dynamics",
