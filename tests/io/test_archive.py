@@ -12,7 +12,7 @@ import pytest
 
 import leitmotion
 from leitmotion import io
-from leitmotion.body import Body, BodyMap
+from leitmotion.body import Body, BodyMap, Dynamics, Flight
 from leitmotion.datasets import Session
 from leitmotion.discovery.lesson import Difference, Lesson, Step, Variation
 from leitmotion.discovery.pattern import Pattern, PatternPair, Patterns
@@ -26,6 +26,7 @@ from leitmotion.evaluation import (
     equal_error_rate,
     errors_at,
 )
+from leitmotion.features.bias import SideBias
 from leitmotion.features.sequence import FeatureSequence
 from leitmotion.io import archive
 from leitmotion.motion import (
@@ -39,6 +40,7 @@ from leitmotion.motion import (
 )
 from leitmotion.motion.noun import Noun
 from leitmotion.similarity import Alignment, SimilarityMatrix
+from leitmotion.similarity.mirror import DoubleMetric
 from leitmotion.synthesis import Summary
 
 
@@ -87,6 +89,32 @@ def samples():
     pair = SharedPair("A", (0, 1), [[3, 0], [8, 7]], 0.02)
     yield from (places, pattern, pair)
     yield SharedPatterns((pattern,), (pair,), ("a", "b"), [30, 60], [12, 10], {"gap_s": 2.0})
+    yield SideBias(("left", "right"), rotations.normalize(rng.normal(size=(2, 4))), [0.1, 0.2], "mean", 7)
+    yield DoubleMetric(values, values.T, "inner", 30.0, ("left", "right"), [0.5, 0.5], 20.0)
+    flight = Flight(1, 3, 9.7, 0.002, [0.1, 0.2, 0.3], 0.05, 0.1)
+    yield flight
+    yield weighed(rng, flight)
+
+
+def weighed(rng, flight):
+    """Two segments for four frames."""
+    wide = {
+        "inertias": (2, 3),
+        "global_rotations": (4, 2, 4),
+        "body_twists": (4, 2, 6),
+        "global_twists": (4, 2, 6),
+    }
+    energies = ("linear_energies", "angular_energies", "potential_energies")
+    whole = ("centre_of_mass", "linear_momentum", "angular_momentum")
+    shapes = {"masses": (2,), **wide, **dict.fromkeys(energies, (4, 2)), **dict.fromkeys(whole, (4, 3))}
+    arrays = {
+        field.name: rng.uniform(size=shapes.get(field.name, (4, 2, 3)))
+        for field in dataclasses.fields(Dynamics)
+        if field.name not in ("segments", "flights", "rate", "name", "parameters")
+    }
+    return Dynamics(
+        segments=("trunk", "head"), flights=(flight,), rate=120, name="x", parameters={"mass": 70.0}, **arrays
+    )
 
 
 SAMPLES = {f"{type(noun).__name__}-{k}": noun for k, noun in enumerate(samples())}

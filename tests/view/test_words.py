@@ -179,9 +179,9 @@ def test_times_that_differ_are_told_from_the_shortest_to_the_longest() -> None:
     uneven = pattern("A", 2, 2, kind="acyclic", period=8.0).replace(
         occurrences=Segmentation([0, 200], [100, 260], rate=10.0)
     )
-    assert lengths.lasts(uneven) == "6.00–10.00 s"
-    assert plain(words.lead(found(uneven), 60)) == "[A] comes back twice, 6.00–10.00 s each."
-    assert words.lane_head(uneven) == ("2 stretches", "of 6.00–10.00 s")
+    assert lengths.lasts(uneven) == "6.0–10.0 s"
+    assert plain(words.lead(found(uneven), 60)) == "[A] comes back twice, 6.0–10.0 s each."
+    assert words.lane_head(uneven) == ("2 stretches", "of 6.0–10.0 s")
     assert lengths.lasts(pattern("A", 1, 4)) == "1.50 s"
 
 

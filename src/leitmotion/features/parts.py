@@ -43,6 +43,7 @@ def symmetry_parts(chain: FeatureSequence) -> Parts:
 
     Examples
     --------
+    >>> import numpy as np
     >>> from leitmotion.datasets import compose_session
     >>> from leitmotion.features import kinematic_chain
     >>> chain = kinematic_chain(compose_session(seed=0, rate=30.0).motion)
