@@ -7,7 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from leitmotion.body import Body, BodyMap, chain_rotations, embody, find_roles, turned_by_file
-from leitmotion.features.rotations import RADIANS, towards_mean
+from leitmotion.features.rotations import sequence_of
 from leitmotion.features.sequence import FeatureSequence
 from leitmotion.motion import Motion, ParameterError, Trajectories
 
@@ -79,16 +79,7 @@ def kinematic_chain(
     told = chain_rotations({role: body.positions[:, k] for k, role in enumerate(body.roles)}, turned)
     chosen = _choose(tuple(told), links)
     values = np.stack([told[link] for link in chosen], axis=1)
-    values = values * towards_mean(values)
-    return FeatureSequence(
-        values=values.reshape(len(values), -1),
-        names=chosen,
-        rate=body.rate,
-        invariant_to=("place", "yaw", "body_size", "unit", "bone_lengths"),
-        width=4,
-        scale=RADIANS,
-        unit="rad",
-    )
+    return sequence_of(values, chosen, body.rate)
 
 
 def _choose(known: tuple[str, ...], links: Sequence[str] | None) -> tuple[str, ...]:

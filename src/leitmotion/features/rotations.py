@@ -74,11 +74,31 @@ def joint_rotations(
     chosen = _choose(joint, roles)
     turned = forward_kinematics(motion).rotations
     values = np.stack([_relative(role, joint, turned) for role in chosen], axis=1)
-    values *= towards_mean(values)
+    return sequence_of(values, chosen, motion.rate)
+
+
+def sequence_of(turned: np.ndarray, names: tuple[str, ...], rate: float) -> FeatureSequence:
+    """Make a sequence of rotations, each told by that of its two quaternions that is nearer to the mean.
+
+    Parameters
+    ----------
+    turned : (T, M, 4) float
+        Unit quaternions, w first.
+    names : tuple of str, M
+        What turns.
+    rate : float
+        Frames per second.
+
+    Returns
+    -------
+    FeatureSequence
+        4 M columns; a distance of 1 is two radians.
+    """
+    values = turned * towards_mean(turned)
     return FeatureSequence(
-        values=values.reshape(len(motion), -1),
-        names=chosen,
-        rate=motion.rate,
+        values=values.reshape(len(values), -1),
+        names=names,
+        rate=rate,
         invariant_to=("place", "yaw", "body_size", "unit", "bone_lengths"),
         width=4,
         scale=RADIANS,
