@@ -31,6 +31,8 @@ TRICKY = st.sampled_from(
         "# A",
         "A_confidence",
         "mixamorig:Hips",
+        "0\t",
+        "a;b;c",
     ]
 )
 NUMBER = st.just(np.nan) | st.floats(-1e9, 1e9) | st.floats(-2, 2)
@@ -183,3 +185,9 @@ def test_without_pyarrow_a_sentence_says_what_to_install(tmp_path):
     assert told.strip() == (
         'Parquet needs the library pyarrow, which is not installed. Install it: pip install "leitmotion[archive]".'
     )
+
+
+@pytest.mark.parametrize("name", ["0\t", "a;b;c"])
+def test_what_stands_in_quotes_divides_nothing(tmp_path, name):
+    recording = Trajectories((name,), np.zeros((2, 1, 2)), rate=30.0, name="x")
+    assert io.read(io.write(recording, tmp_path / "points.csv")).names == (name,)

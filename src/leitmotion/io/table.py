@@ -106,6 +106,8 @@ def _unquote(word: str) -> str:
 
 
 def _delimiter(line: str) -> str:
+    bare = re.sub(r'"[^"]*"?', "", line)  # what stands in quotes divides nothing, unless the whole line does
+    line = bare if any(mark in bare for mark in "\t,;") else line
     mark = max("\t,;", key=line.count)
     return mark if mark in line else " "
 

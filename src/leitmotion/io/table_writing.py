@@ -106,7 +106,7 @@ def write(recording: Motion | Trajectories, *, unit: str | float | None = None) 
     for key, word in sheet.stated.items():
         plain = word.isprintable() and word == word.strip() and not word.startswith('"')
         out.write(f"# {key}: {word if plain else json.dumps(word)}\n")
-    plain = all(word.isprintable() and word == word.strip() for word in sheet.header)
+    plain = all(word.isprintable() and word == word.strip() and ";" not in word for word in sheet.header)
     csv.writer(out, lineterminator="\n", quoting=csv.QUOTE_MINIMAL if plain else csv.QUOTE_ALL).writerow(
         sheet.header
     )
