@@ -69,6 +69,32 @@ def test_a_symmetric_posture_is_its_own_image(metric):
     assert lopsided[2] > 1e-3
 
 
+@pytest.mark.parametrize("metric", MIRROR_METRICS)
+def test_a_distance_depends_on_its_two_moments_alone(rng, metric):
+    """To the bit, whatever else is compared, and whether a rotation is told by q or by -q."""
+    chain = kinematic_chain(oracle.human(rng, frames=600, bend=1.2))
+    found, part = double_metric(chain, metric=metric), double_metric(chain[200:500:7], metric=metric)
+    assert np.array_equal(part.own, found.own[200:500:7, 200:500:7])
+    assert np.array_equal(part.mirror, found.mirror[200:500:7, 200:500:7])
+    signs = rng.choice([-1.0, 1.0], (len(chain), len(chain.names), 1))
+    values = (chain.values.reshape(len(chain), -1, 4) * signs).reshape(len(chain), -1)
+    turned = double_metric(chain.replace(values=values), metric=metric)
+    assert np.array_equal(turned.own, found.own)
+    assert np.array_equal(turned.mirror, found.mirror)
+
+
+def test_an_angle_of_any_size_is_right(chain):
+    """From nothing to half a turn, a link alone."""
+    angles = np.concatenate(([0.0], np.geomspace(1e-6, np.pi, 700)))
+    values = np.tile(from_axis_angle("y", np.zeros(len(angles))), (1, 2))
+    values[:, :4] = from_axis_angle("x", angles)
+    values[:, 4:] = from_axis_angle("x", angles)
+    pair = chain.replace(values=values, names=("left_femur", "right_femur"))
+    found = double_metric(pair, metric="geodesic")
+    assert np.abs(found.own[0] - angles).max() < 1e-6
+    assert np.abs(found.mirror[0] - angles).max() < 1e-6
+
+
 def test_place_yaw_unit_and_rate_change_nothing(rng):
     motion = oracle.human(rng, bend=0.8)
     found = double_metric(kinematic_chain(motion))

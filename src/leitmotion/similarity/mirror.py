@@ -147,7 +147,8 @@ def double_metric(
             remedy="Take a kinematic chain with the links of both sides, and give weights here.",
         )
     shares = _shares(chain.names, weights)
-    own, mirror = _blank(len(chain), 2 * len(chain)).reshape(2, len(chain), len(chain))
+    memory = _blank(len(chain), 2 * len(chain))
+    own, mirror = memory.reshape(2, len(chain), len(chain))
     from leitmotion.similarity import _mirror_kernels as kernels
 
     kind = kernels.INNER if metric == "inner" else kernels.GEODESIC
@@ -163,7 +164,8 @@ def double_metric(
     np.fill_diagonal(
         own, np.where(seen, np.float32(0), np.float32(np.nan))
     )  # to the bit, though |q| is rounded
-    own.flags.writeable = mirror.flags.writeable = False
+    for array in (memory, own, mirror):  # what is read-only down to its memory is taken over, not copied
+        array.flags.writeable = False
     return DoubleMetric(
         own,
         mirror,
