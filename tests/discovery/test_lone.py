@@ -72,24 +72,75 @@ def test_what_is_not_seen_is_near_at_no_distance():
     assert more(Distances(distances.features.replace(values=values)), begins[:2], max_distance=1.0) == []
 
 
-def test_what_surrounds_a_long_movement_is_sampled(monkeypatch):
+def test_a_long_movement_is_found_though_its_surroundings_are_sampled():
     distances, begins = recording(reach(0.1, 600), reach(0.1, 600), reach(0.1, 600))
-    asked = []
-    between = Distances.between
-    monkeypatch.setattr(
-        Distances, "between", lambda self, *sides: asked.append(sides) or between(self, *sides)
-    )
     item = Return([(float(a), a + 600.0) for a in begins[:2]], [], np.zeros((0, 2)), 1.0)
     taken = np.zeros(len(distances), bool)
     (found,) = with_lone_occurrences([item], taken, distances, max_distance=0.054, min_contrast=0.3)
     assert len(found.spans) == 3
-    around = [len(rows) * len(columns) for rows, columns in asked if max(rows.step, columns.step) > 1]
-    assert 0 < max(around) <= SAMPLED**2
+
+
+def wandering(rng, moments, hidden=0.0):
+    values = rng.normal(size=(moments, 6)).cumsum(axis=0)
+    values[np.flatnonzero(rng.random(moments) < hidden)] = np.nan
+    return Distances(FeatureSequence(values, ("a", "b"), 30.0, ("place",), 3))
+
+
+@pytest.mark.parametrize("hidden", [0.0, 0.4])
+def test_most_of_what_surrounds_is_farther_than_what_is_below_the_median_of_a_sample(rng, hidden):
+    distances = wandering(rng, 400, hidden)
+    for _ in range(40):
+        (a, b), (c, d) = np.sort(rng.integers(0, 400, (2, 2))) + np.array((0, 1))
+        sides = range(a, b), range(c, d)
+        sample = distances.between(*(side[:: 1 + len(side) // SAMPLED] for side in sides))
+        if np.isnan(sample).all():
+            continue
+        around = float(np.nanmedian(sample.astype(float)))
+        for limit, farther in (
+            (around - 1e-5, True),
+            (around + 1e-5, False),
+            (0.0, around > 0),
+            (99.0, False),
+        ):
+            said = _whole_kernels.most_are_farther(distances.across, a, b, c, d, limit, SAMPLED, 3)
+            assert said == farther
+
+
+def test_of_what_was_not_seen_nothing_is_farther(rng):
+    across = wandering(rng, 30, hidden=1.1).across
+    assert not _whole_kernels.most_are_farther(across, 0, 9, 12, 30, 0.1, SAMPLED, 3)
+
+
+def test_of_courses_that_cross_the_first_clear_one_is_taken(rng):
+    distances = wandering(rng, 60)
+    places = np.array([(0, 30, 40), (0, 35, 45), (1, 40, 50), (1, 20, 31), (0, 10, 20)])
+    movements, taken = np.array([(0, 5), (5, 12)]), np.zeros(60, bool)
+    taken[12] = True
+    limits = np.array([99.0, 0.0, 0.0, 0.0, 0.0])  # the first is not clear at all, the others are
+    found = _whole_kernels.clear_courses(distances.across, movements, places, limits, taken, SAMPLED, 3)
+    assert found.tolist() == [1, 3]
+    assert np.flatnonzero(taken).tolist() == [12, *range(20, 31), *range(35, 45)]
+
+
+def test_courses_are_near_long_enough_and_free(rng):
+    distances = wandering(rng, 60)
+    free = np.array([(8, 11), (15, 30), (33, 60)])
+    known = [
+        (cost, start + begin, start + j + 1)
+        for start, stop in free
+        for j, (cost, begin) in enumerate(
+            zip(*_whole_kernels.courses(distances.across, 0, 7, start, stop, 3, 1.0), strict=True)
+        )
+    ]
+    farthest = float(np.median([cost for cost, _, _ in known]))
+    expected = [course for course in known if course[0] < farthest and course[2] - course[1] >= 5]
+    costs, places = _whole_kernels.near_courses(distances.across, 0, 7, free, 5, farthest, 3, 1.0)
+    assert 0 < len(expected) < len(known)
+    assert [(cost, *place) for cost, place in zip(costs, places.tolist(), strict=True)] == expected
 
 
 def test_courses_are_those_of_the_twin(rng):
-    values = rng.normal(size=(40, 6)).cumsum(axis=0)
-    distances = Distances(FeatureSequence(values, ("a", "b"), 30.0, ("place",), 3))
+    distances = wandering(rng, 40)
     costs, begins = _whole_kernels.courses(distances.across, 0, 7, 10, 40, 3, 1.0)
     d = distances.between(range(0, 7), range(10, 40)).astype(float)
     for j in range(30):

@@ -44,6 +44,78 @@ def courses(a, first, last, start, stop, width, unseen):
 
 
 @njit(cache=True, nogil=True)
+def near_courses(a, first, last, free, least, farthest, width, unseen):
+    """Do so for each free stretch (F, 2); the courses of `least` moments or more that are nearer than `farthest`.
+
+    Returns their costs, and where each starts and stops (K, 2).
+    """
+    moments = 0
+    for f in range(free.shape[0]):
+        moments += free[f, 1] - free[f, 0]
+    costs, places = np.empty(moments), np.empty((moments, 2), np.int64)
+    n = 0
+    for f in range(free.shape[0]):
+        start, stop = free[f]
+        if stop - start < least:
+            continue
+        cost, begins = courses(a, first, last, start, stop, width, unseen)
+        for j in range(stop - start):
+            if cost[j] < farthest and j + 1 - begins[j] >= least:
+                costs[n], places[n, 0], places[n, 1] = cost[j], start + begins[j], start + j + 1
+                n += 1
+    return costs[:n], places[:n]
+
+
+@njit(cache=True, nogil=True)
+def clear_courses(a, movements, places, limits, taken, sampled, width):
+    """Which courses cross nothing that is taken and lie in surroundings farther than their limit, in order.
+
+    Each that does is taken at once. A course is a movement, where it starts and where it stops; its surroundings are
+    the rectangle of the two stretches, of which each side is sampled.
+    """
+    found = np.empty(places.shape[0], np.int64)
+    n = 0
+    for k in range(places.shape[0]):
+        which, start, stop = places[k]
+        if taken[start:stop].any():
+            continue
+        if most_are_farther(
+            a, movements[which, 0], movements[which, 1], start, stop, limits[k], sampled, width
+        ):
+            taken[start:stop] = True
+            found[n] = k
+            n += 1
+    return found[:n]
+
+
+@njit(cache=True, nogil=True)
+def most_are_farther(a, first, last, start, stop, limit, sampled, width):
+    """Whether the median distance of moments [first, last) from [start, stop) is above a limit.
+
+    Distances that are not known are left out, and only as many are computed as it takes to know.
+    """
+    every, each = 1 + (last - first) // sampled, 1 + (stop - start) // sampled
+    rows, columns = (last - first + every - 1) // every, (stop - start + each - 1) // each
+    d = np.empty(columns, np.float32)
+    farther, others = 0, 0
+    nearest, farthest = np.inf, -np.inf  # on either side of the limit
+    for i in range(rows):
+        distances_to(a, first + i * every, start, stop, each, width, d)
+        for j in range(columns):
+            if d[j] > limit:
+                farther += 1
+                nearest = min(nearest, d[j])
+            elif d[j] <= limit:
+                others += 1
+                farthest = max(farthest, d[j])
+        if 2 * max(farther, others) > rows * columns:
+            break
+    if farther == others:
+        return farther > 0 and nearest + farthest > 2 * limit
+    return farther > others
+
+
+@njit(cache=True, nogil=True)
 def near_pairs(a, spans, k0, k1, later, width, limit, loose, unlike):
     """Warp spans k0 to k1 over later ones that may be alike; pairs nearer than `limit` and how far apart they are.
 

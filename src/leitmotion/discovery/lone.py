@@ -15,7 +15,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from leitmotion.discovery.labour import share_work
+from leitmotion.discovery.labour import aside, share_work
 from leitmotion.discovery.overlay import AGREED, overlay_of_stretches
 from leitmotion.discovery.pauses import true_runs
 from leitmotion.discovery.returns import Return
@@ -27,13 +27,14 @@ UNSEEN = 1.0  # body sizes: what counts where a distance is not known, unless th
 COMPARED = 8  # occurrences among which the typical one is looked for
 
 
-class _Course(NamedTuple):
-    """A stretch through which a movement runs."""
+class _Courses(NamedTuple):
+    """Stretches through which movements run, the nearest first."""
 
-    apart: float
-    which: int
-    start: int
-    stop: int
+    apart: np.ndarray
+    """(K,) mean distance from the movement."""
+
+    places: np.ndarray
+    """(K, 3): which movement, where the stretch starts, and where it stops."""
 
 
 def with_lone_occurrences(
@@ -64,50 +65,54 @@ def with_lone_occurrences(
     list of Return
         As many, with all occurrences that were found, the nearest first where two would share a moment.
     """
+    from leitmotion.discovery import _whole_kernels
+
+    if not returns:
+        return []
     taken = taken.copy()
     for item in returns:
         for start, stop in item.spans:
             taken[max(0, int(start)) : int(np.ceil(stop))] = True
     typical = [_typical(item.spans, distances, max_distance) for item in returns]
     spans = [list(item.spans) for item in returns]
-    for course in _courses(typical, taken, distances, AGREED * max_distance):
-        stretch = slice(course.start, course.stop)
-        if taken[stretch].any():
-            continue
-        sides = typical[course.which], range(course.start, course.stop)
-        around = np.nanmedian(distances.between(*(side[:: 1 + len(side) // SAMPLED] for side in sides)))
-        if course.apart < (1 - min_contrast) * around:
-            taken[stretch] = True
-            spans[course.which].append((course.start, course.stop))
+    near = _courses(typical, taken, distances, AGREED * max_distance)
+    movements = np.array([(movement.start, movement.stop) for movement in typical])
+    clear = near.apart / (1 - min_contrast)
+    found = aside(
+        _whole_kernels.clear_courses,
+        distances.across,
+        movements,
+        near.places,
+        clear,
+        taken,
+        SAMPLED,
+        distances.width,
+    )
+    for which, start, stop in near.places[found].tolist():
+        spans[which].append((start, stop))
     return [replace(item, spans=sorted(found)) for item, found in zip(returns, spans, strict=True)]
 
 
-def _courses(
-    typical: Sequence[range], taken: np.ndarray, distances: Distances, farthest: float
-) -> list[_Course]:
-    """Free stretches through which movements run, the nearest first."""
+def _courses(typical: Sequence[range], taken: np.ndarray, distances: Distances, farthest: float) -> _Courses:
+    """Look through what is free for the courses of movements."""
     from leitmotion.discovery import _whole_kernels
 
-    free, unseen = true_runs(~taken), max(UNSEEN, farthest)
-    found: list[list[_Course]] = [[] for _ in typical]
+    free, unseen = np.array(true_runs(~taken), np.int64).reshape(-1, 2), max(UNSEEN, farthest)
+    near: list[tuple[np.ndarray, np.ndarray]] = [(np.zeros(0), np.zeros((0, 2), np.int64)) for _ in typical]
 
     def look(part: slice) -> None:
         for which in range(part.start, part.stop):
             movement = typical[which]
-            least = max(2, int(np.ceil(SHORTER * len(movement))))
-            for start, stop in free:
-                if stop - start < least:
-                    continue
-                costs, begins = _whole_kernels.courses(
-                    distances.across, movement.start, movement.stop, start, stop, distances.width, unseen
-                )
-                lengths = np.arange(1, stop - start + 1) - begins
-                for j in np.flatnonzero((costs < farthest) & (lengths >= least)).tolist():
-                    begin = start + int(begins[j])
-                    found[which].append(_Course(float(costs[j]), which, begin, start + j + 1))
+            near[which] = _whole_kernels.near_courses(
+                distances.across, movement.start, movement.stop, free, max(2, int(np.ceil(SHORTER * len(movement)))),
+                farthest, distances.width, unseen,
+            )  # fmt: skip
 
     share_work(look, len(typical), 1)
-    return sorted(course for courses in found for course in courses)
+    which = np.repeat(np.arange(len(typical)), [len(costs) for costs, _ in near])
+    apart, places = (np.concatenate(parts) for parts in zip(*near, strict=True))
+    order = np.lexsort((places[:, 1], places[:, 0], which, apart))
+    return _Courses(apart[order], np.column_stack((which, places))[order])
 
 
 def _typical(spans: Sequence[tuple[float, float]], distances: Distances, max_distance: float) -> range:
