@@ -2,7 +2,7 @@
 
 import csv
 import sys
-from itertools import pairwise
+from itertools import groupby, pairwise
 from pathlib import Path
 
 import pytest
@@ -12,7 +12,7 @@ import leitmotion
 BENCHMARKS = Path(__file__).resolve().parents[1] / "benchmarks"
 LABELS = BENCHMARKS / "labels"
 DRAWN = "symmetry_drawn.csv"
-TABLES = ("symmetry_clips.csv",)
+TABLES = ("symmetry_clips.csv", "symmetry_found.csv")
 COLUMNS = ["recording", "start", "stop", "sides", "course", "repeats", "motifs", "what", "sure"]
 MOTIFS = {
     "stillness": ("still", {"together", "one"}),
@@ -69,7 +69,9 @@ def test_motifs_are_known_and_fit_the_sides_and_the_course(name: str) -> None:
 
 
 @pytest.mark.parametrize("name", TABLES)
-def test_stretches_of_a_recording_are_in_order(name: str) -> None:
+def test_stretches_of_a_recording_stand_together_in_order(name: str) -> None:
+    recordings = [key for key, _ in groupby(row["recording"] for row in rows(name, COLUMNS))]
+    assert len(set(recordings)) == len(recordings)
     for a, b in pairwise(rows(name, COLUMNS)):
         assert a["recording"] != b["recording"] or span(a) < span(b), b
 
@@ -83,6 +85,13 @@ def test_each_drawn_clip_is_labelled_and_nothing_outside_of_it() -> None:
         start, stop = clips[row["recording"]]
         assert start <= span(row)[0], row
         assert span(row)[1] <= stop, row
+
+
+def test_no_stretch_was_found_within_a_drawn_clip() -> None:
+    clips = {row["recording"]: span(row) for row in rows(DRAWN, COLUMNS[:3])}
+    for row in rows("symmetry_found.csv", COLUMNS):
+        start, stop = clips.get(row["recording"], (0, 0))
+        assert span(row)[1] <= start or span(row)[0] >= stop, row
 
 
 @pytest.mark.data
