@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from scipy.ndimage import gaussian_filter1d
 
-from leitmotion.discovery import overlay
+from leitmotion.discovery import _overlay_kernels, overlay
 from leitmotion.discovery.families import Run
 from leitmotion.discovery.kinds import part_themes
 from leitmotion.discovery.lone import with_lone_occurrences
@@ -17,7 +17,7 @@ from leitmotion.discovery.themes import Theme
 from leitmotion.discovery.units import _same_again, alternation
 from leitmotion.discovery.writing import Scribe
 from leitmotion.features import FeatureSequence
-from leitmotion.similarity import Distances, cross_distance
+from leitmotion.similarity import Distances, align, cross_distance
 
 NAMES = ("left_hand", "right_hand", "head")
 MINUTES = 3600  # moments of two
@@ -46,7 +46,8 @@ def test_a_short_stretch_is_laid_over_another_as_their_distances_say(hidden):
     one, other = hidden
     both = Distances(sequence(np.concatenate((one.values, other.values))))
     rows, columns = range(70), range(70, 160)
-    assert overlay_of_stretches(both, rows, columns, 0.4) == overlay_cost(both.between(rows, columns), 0.4)
+    said = overlay_cost(both.between(rows, columns), 0.4)
+    assert overlay_of_stretches(both, rows, columns, 0.4) == pytest.approx(said, rel=1e-9)
     assert overlay_of(one, other, 0.4) == overlay_cost(cross_distance(one, other).values, 0.4)
 
 
@@ -119,3 +120,22 @@ def test_memory_does_not_grow_with_the_square_of_a_stretch(rng, who):
     tracemalloc.stop()
     assert told
     assert peak < MINUTES * MINUTES  # a byte for each of their distances
+
+
+def test_a_path_between_two_stretches_is_the_general_one(rng):
+    distances = Distances(sequence(motion(rng, 60)))
+    for rows, columns in (
+        (range(3, 20), range(25, 60)),
+        (range(30), range(30, 41)),
+        (range(4, 5), range(9, 12)),
+    ):
+        ends = rows.start, rows.stop, columns.start, columns.stop
+        cost, path = _overlay_kernels.warped(distances.across, *ends, distances.width)
+        aligned = align(distances.between(rows, columns))
+        assert cost == pytest.approx(aligned.cost, rel=1e-9)
+        np.testing.assert_array_equal(path, aligned.path + np.array((rows.start, columns.start)))
+
+
+def test_no_path_leads_through_a_moment_that_was_not_seen(hidden):
+    cost, path = _overlay_kernels.warped(Distances(hidden[0]).across, 5, 30, 40, 70, 3)
+    assert (cost, len(path)) == (np.inf, 0)

@@ -390,7 +390,7 @@ def test_what_the_second_look_finds_does_not_overlap_what_the_first_found():
     postures = FeatureSequence(values, ("a", "b", "c"), 30.0, ("place",), 3)
     criteria = Criteria(recurrence.MAX_DISTANCE, recurrence.MIN_CONTRAST, recurrence.MIN_AMPLITUDE, 15)
     once = search_once(postures, criteria)
-    found, _ = recurrence.look(postures, postures, criteria)
+    found, _ = recurrence.look(postures, Distances(postures), criteria)
     assert len(found) > len(once) > 0
     for early in (item.pattern.stretches for item in found[: len(once)]):
         for late in (item.pattern.stretches for item in found[len(once) :]):

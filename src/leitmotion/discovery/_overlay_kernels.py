@@ -4,7 +4,7 @@
 import numpy as np
 from numba import njit
 
-from leitmotion.similarity._kernels import accumulate, trace_back
+from leitmotion.similarity._kernels import accumulate, between, trace_back
 
 
 @njit(cache=True, nogil=True)
@@ -35,3 +35,31 @@ def distances_along(apart, unseen):
     for k in range(len(path)):
         along[k] = d[path[k, 0], path[k, 1]]
     return along
+
+
+@njit(cache=True, nogil=True)
+def overlay(a, start, stop, begin, end, width, unseen):
+    """Mean of these for moments [start, stop) and [begin, end) of a recording; `unseen` where nothing was seen."""
+    apart = np.empty((stop - start, end - begin), np.float32)
+    between(a, start, 1, begin, end, 1, width, apart)
+    along = distances_along(apart, np.float32(unseen))
+    return along.mean() if along.size else unseen
+
+
+@njit(cache=True, nogil=True)
+def warped(a, start, stop, begin, end, width):
+    """Mean distance along the warping path, and the path (K, 2); infinite and empty where a moment was not seen."""
+    apart = np.empty((stop - start, end - begin), np.float32)
+    between(a, start, 1, begin, end, 1, width, apart)
+    if not np.isfinite(apart).all():
+        return np.inf, np.empty((0, 2), np.int64)
+    d = apart.astype(np.float64)
+    move = np.empty(d.shape, np.uint8)
+    accumulate(d, 1.0, False, False, move)
+    path = trace_back(move, d.shape[1] - 1)
+    total = 0.0
+    for k in range(len(path)):
+        total += d[path[k, 0], path[k, 1]]
+        path[k, 0] += start
+        path[k, 1] += begin
+    return total / len(path), path

@@ -20,8 +20,11 @@ def share_work(do: Callable[[slice], None], count: int, size: int) -> None:
     do : callable
         Told which things; pieces must not depend on one another.
     count, size : int
-        How many there are, and how many at a time.
+        How many there are, and how many at a time. A single piece is short enough to need no thread.
     """
+    if 0 < count <= size:
+        do(slice(0, count))
+        return
     for _ in ahead(do, (slice(k, min(count, k + size)) for k in range(0, count, size))):
         pass
 

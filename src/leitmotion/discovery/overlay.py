@@ -63,7 +63,19 @@ def overlay_of_stretches(distances: Distances, rows: range, columns: range, unse
         `unseen` where nothing was seen.
     """
     if len(rows) * len(columns) <= HELD:
-        return overlay_cost(distances.between(rows, columns), unseen)
+        from leitmotion.discovery._overlay_kernels import overlay
+
+        return float(
+            overlay(
+                distances.across,
+                rows.start,
+                rows.stop,
+                columns.start,
+                columns.stop,
+                distances.width,
+                float(unseen),
+            )
+        )
     whole = distances.features
     return overlay_of(whole[rows.start : rows.stop], whole[columns.start : columns.stop], unseen)
 

@@ -130,27 +130,28 @@ def find_recurrences(
             f"too short for two stretches of {min_duration_s:g} s."
         )
         return Patterns((), (), features.rate, parameters, miss)
-    found, limits = look(features, work, criteria, second_look)
-    parameters |= limits
     distances = Distances(work)
-    alike = criteria.likeness(distances)
+    found, limits = look(features, distances, criteria, second_look)
+    parameters |= limits
     scribe = Scribe(features, distances, criteria)
     if stillness:
-        found += [scribe.held(spans) for spans in _held_postures(distances, alike, max_distance, shortest)]
+        found += [
+            scribe.held(spans) for spans in _held_postures(distances, scribe.alike, max_distance, shortest)
+        ]
     written = scribe.write(found)
     return Patterns(
         written.patterns,
         written.pairs,
         features.rate,
         parameters | written.limits,
-        "" if found else _nearest_miss(distances, alike, features, parameters),
+        "" if found else _nearest_miss(distances, scribe.alike, features, parameters),
         written.stripes,
     )
 
 
 def look(
     features: FeatureSequence,
-    work: FeatureSequence,
+    distances: Distances,
     criteria: Criteria,
     second_look: SecondLook = SECOND_LOOK,
 ) -> tuple[list[Found], dict[str, object]]:
@@ -164,8 +165,8 @@ def look(
     ----------
     features : FeatureSequence
         The recording, T frames.
-    work : FeatureSequence
-        The same at the working rate, N moments.
+    distances : Distances
+        Posture distances of the same at the working rate, N moments.
     criteria : Criteria
         What counts as a return.
     second_look : SecondLook
@@ -178,7 +179,7 @@ def look(
     dict
         What was not compared, where a recording is too long.
     """
-    distances = Distances(work)
+    work = distances.features
     refine = Refiner(features, work.rate, criteria.max_distance)
     seen = search(distances, criteria, refine)
     found, limits = Scribe(features, distances, criteria).describe(seen), seen.limits

@@ -18,7 +18,7 @@ from itertools import pairwise
 import numpy as np
 
 from leitmotion.discovery.families import is_near
-from leitmotion.discovery.overlay import overlay_of, overlay_of_stretches
+from leitmotion.discovery.overlay import overlay_of_stretches
 from leitmotion.discovery.pauses import pauses
 from leitmotion.discovery.stripes import Likeness, Stripe, measure
 from leitmotion.features.mirror import mirrored
@@ -49,18 +49,19 @@ def alternation(distances: Distances, max_distance: float) -> Alternates:
     callable
         Always false where the features know no sides, and of movements that are the same on both sides.
     """
-    features = distances.features
+    features, last = distances.features, len(distances)
     image = mirrored(features)
+    if image is None:
+        return lambda a, b: False
+    beside = Distances(features.replace(values=np.concatenate((features.values, image.values))))
 
     @cache
     def alternates(a: tuple[int, int], b: tuple[int, int]) -> bool:
-        if image is None:
-            return False
-        one, other = features[slice(*a)], slice(*b)
-        exchanged = overlay_of(one, image[other], max_distance)
-        if exchanged >= max_distance:
-            return False
-        return exchanged < UNLIKE * overlay_of(one, features[other], max_distance)
+        one, other, exchanged = range(*a), range(*b), range(last + b[0], last + b[1])
+        apart = overlay_of_stretches(beside, one, exchanged, max_distance)
+        return apart < max_distance and apart < UNLIKE * overlay_of_stretches(
+            beside, one, other, max_distance
+        )
 
     return alternates
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from functools import cached_property
 from itertools import islice, pairwise
+from statistics import median
 from typing import NamedTuple
 
 import numpy as np
@@ -19,7 +20,7 @@ from leitmotion.discovery.stripes import Likeness, Stripe, measure, part
 from leitmotion.discovery.themes import Theme
 from leitmotion.features.sequence import FeatureSequence
 from leitmotion.motion.segmentation import Segmentation
-from leitmotion.similarity import Distances, align
+from leitmotion.similarity import Distances
 
 COMPARED = 60  # pairs of occurrences that are aligned to judge a pattern
 MIN_AGREEMENT = 0.5  # of the pairs of occurrences must be alike
@@ -67,7 +68,7 @@ class Scribe:
 
     @cached_property
     def alike(self) -> Likeness:
-        """What counts as alike; only what is cyclic asks for it."""
+        """What counts as alike."""
         return self.criteria.likeness(self.distances)
 
     def describe(self, seen: Seen) -> list[Found]:
@@ -137,9 +138,7 @@ class Scribe:
     ) -> Found:
         costs, pairs = self._compare(occurrences)
         scores = [
-            float(
-                np.clip(1.0 - np.median(costs[(pairs == k).any(axis=1)]) / (2 * self.max_distance), 0.0, 1.0)
-            )
+            max(0.0, 1.0 - median(costs[(pairs == k).any(axis=1)].tolist()) / (2 * self.max_distance))
             for k in range(len(occurrences))
         ]
         agreement = float(np.mean(costs < AGREED * self.max_distance))
@@ -163,6 +162,8 @@ class Scribe:
         self, occurrences: Segmentation, stripes: Sequence[Stripe]
     ) -> dict[tuple[int, int], np.ndarray]:
         """What the stripes say of each two occurrences; of several pieces the longest."""
+        from leitmotion.discovery._overlay_kernels import warped
+
         pieces: dict[tuple[int, int], np.ndarray] = {}
         for stripe in stripes:
             frames = np.round(stripe.path * self.ratio).astype(np.int64)
@@ -176,13 +177,18 @@ class Scribe:
             rows, columns = (
                 range(int(np.ceil(a)), min(last, int(np.ceil(b)))) for a, b in (spans[i], spans[j])
             )
-            if len(rows) * len(columns) > HELD:
+            if not 0 < len(rows) * len(columns) <= HELD:
                 continue
-            apart = self.distances.between(rows, columns)
-            if apart.size and np.isfinite(apart).all():
-                aligned = align(apart)
-                if aligned.cost < AGREED * self.max_distance:
-                    pieces[i, j] = np.add(aligned.path, (rows.start, columns.start))
+            cost, path = warped(
+                self.distances.across,
+                rows.start,
+                rows.stop,
+                columns.start,
+                columns.stop,
+                self.distances.width,
+            )
+            if cost < AGREED * self.max_distance:
+                pieces[i, j] = path
         return pieces
 
     def _traced(self, name: str, paths: Sequence[np.ndarray], stops: np.ndarray) -> list[PatternPair]:

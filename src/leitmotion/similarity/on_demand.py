@@ -30,6 +30,7 @@ class Distances:
         self.width = features.width
         self.across = _across_time(features, _centre("mean_norm", features))
         """(D, N) float32: what is compared, one moment a column."""
+        self._bands: dict[int, SimilarityMatrix] = {}
 
     def __len__(self) -> int:
         return self.across.shape[1]
@@ -83,14 +84,17 @@ class Distances:
         Returns
         -------
         SimilarityMatrix
-            Banded, (N, reach + 1).
+            Banded, (N, reach + 1); kept, as much is read from it.
         """
+        if reach in self._bands:
+            return self._bands[reach]
         from leitmotion.similarity import _kernels
 
         values = np.empty((len(self), reach + 1), np.float32)
         _kernels.band(self.across, self.width, values)
         values.flags.writeable = False
         features = self.features
-        return SimilarityMatrix(
+        self._bands[reach] = SimilarityMatrix(
             values, "mean_norm", features.rate, features.rate, features.scale, features.unit, "banded"
         )
+        return self._bands[reach]
