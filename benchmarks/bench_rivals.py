@@ -3,6 +3,8 @@
 The same postures at 30 Hz for all, the same protocol, each search in a process of its own. An engine that has not
 answered after ten minutes is stopped.
 
+``python benchmarks/bench_rivals.py FRAMES [ENGINE...]`` prints the rows of one length, and of some engines.
+
 ``python benchmarks/bench_rivals.py fit [ENGINE...]`` tries the settings of the other engines on the actors that a
 method may be fitted on, and prints the best last.
 """
@@ -38,7 +40,7 @@ MATERIAL = {
         ("cmu-16", 0),
     ),
     3000: (("hdm05-bk", 0), ("hdm05-dg", 0), ("bandai-2", 7)),
-    6000: (("hdm05-dg", 10),),
+    6000: (("hdm05-bk", 0), ("hdm05-bk", 10), ("hdm05-dg", 0), ("hdm05-dg", 10), ("bandai-2", 0)),
 }
 """Frames, and the recordings of so many: the actor, and the joined recording with which they begin."""
 FIT = {
@@ -83,20 +85,29 @@ def main() -> None:
     if sys.argv[1:2] == ["fit"]:
         fit(sys.argv[2:] or ["dtai-locomotif", "stumpy"])
         return
-    for what, figure, protocol in rows():
-        print(f"{what}: {figure} ({protocol})")
+    lengths = [int(frames) for frames in sys.argv[1:2]] or list(MATERIAL)
+    for frames in lengths:
+        for what, figure, protocol in rows_of(frames, sys.argv[2:] or list(ENGINES)):
+            print(f"{what}: {figure} ({protocol})")
 
 
 def rows() -> list[Row]:
     """Measure; (what, figure, protocol) for every line."""
-    table: list[Row] = []
-    for frames, recordings in MATERIAL.items():
-        held = [strung(actor, first, frames) for actor, first in recordings]
-        answers = {engine: [asked(engine, one) for one in held] for engine in ENGINES}
-        which = ", ".join(f"{one.name} ({len(one.postures)} frames, {hints(one).sets} recur)" for one in held)
-        for engine, given in answers.items():
-            table += told(engine, frames, given, answers["leitmotion"], which)
-    return table
+    return [row for frames in MATERIAL for row in rows_of(frames, list(ENGINES))]
+
+
+def rows_of(frames: int, which: list[str]) -> list[Row]:
+    """Measure some engines on the recordings of one length; ours, in whose time the others are told, always."""
+    held = [strung(actor, first, frames) for actor, first in MATERIAL[frames]]
+    answers = {
+        engine: [asked(engine, one) for one in held] for engine in dict.fromkeys(("leitmotion", *which))
+    }
+    on = ", ".join(f"{one.name} ({len(one.postures)} frames, {hints(one).sets} recur)" for one in held)
+    return [
+        row
+        for engine, given in answers.items()
+        for row in told(engine, frames, given, answers["leitmotion"], on)
+    ]
 
 
 def told(
