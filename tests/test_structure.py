@@ -35,6 +35,7 @@ FACADE = (
     "inspection",
     "lessons",
     "sharing",
+    "symmetry",
 )
 HEAVY = ("numba", "scipy", "matplotlib", "sklearn", "torch", "cv2")
 

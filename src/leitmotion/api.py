@@ -22,7 +22,16 @@ from leitmotion.comparing import Mirrored, compare_with_mirror
 from leitmotion.conversion import Converted, convert
 from leitmotion.datasets import compose_session
 from leitmotion.describing import Recording, Roles, as_body, described, of_body, weighed
-from leitmotion.discovery import Lesson, Pattern, Patterns, Residual, SharedPattern, SharedPatterns
+from leitmotion.discovery import (
+    Lesson,
+    Pattern,
+    Patterns,
+    Residual,
+    SharedPattern,
+    SharedPatterns,
+    Symmetry,
+    SymmetrySpan,
+)
 from leitmotion.evaluating import evaluate
 from leitmotion.evaluation import FoundPatterns, PatternScores, PatternTruth
 from leitmotion.features import FEATURES, FeatureSequence
@@ -41,6 +50,7 @@ from leitmotion.motion import (
 )
 from leitmotion.repairs import Repaired, repair
 from leitmotion.sharing import find_shared_patterns, report_shared
+from leitmotion.symmetry import find_symmetry
 from leitmotion.synthesis import Summary
 
 __all__ = [
@@ -70,6 +80,8 @@ __all__ = [
     "SharedPatterns",
     "Skeleton",
     "Summary",
+    "Symmetry",
+    "SymmetrySpan",
     "Trajectories",
     "calibrate",
     "compare_with_mirror",
@@ -81,6 +93,7 @@ __all__ = [
     "find_patterns",
     "find_roles",
     "find_shared_patterns",
+    "find_symmetry",
     "info",
     "load",
     "make_lesson",

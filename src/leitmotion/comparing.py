@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 from leitmotion.body import mirror_role
 from leitmotion.describing import Recording, Roles, known_weights
-from leitmotion.features import SideBias, active_weights, extract, side_bias, without_bias
+from leitmotion.features import SideBias, active_weights, averaged, extract, side_bias, without_bias
 from leitmotion.motion import ParameterError
 from leitmotion.similarity import DoubleMetric, double_metric
 
@@ -15,6 +15,8 @@ COMPARED_RATE = 30.0
 """Moments per second that are compared."""
 MOST_MOMENTS = 6000
 """Moments that are compared at most: 288 MB for both matrices."""
+SPREAD_S = 0.04
+"""Over which postures are averaged, so that noise of single frames does not count: a standard deviation, seconds."""
 BIASES = ("none", "mean", "standing")
 
 
@@ -60,7 +62,8 @@ def compare_with_mirror(
     Returns
     -------
     Mirrored
-        About 30 moments a second are compared, fewer of a recording that is long.
+        About 30 moments a second are compared, fewer of a recording that is long; each posture is averaged with those
+        around it, over a tenth of a second.
 
     Raises
     ------
@@ -89,4 +92,5 @@ def compare_with_mirror(
         shares = (own + own[[chain.names.index(mirror_role(name)) for name in chain.names]]) / 2
     drawn = max(1, round(chain.rate / COMPARED_RATE))
     every = drawn * math.ceil(len(chain) / drawn / MOST_MOMENTS)
+    chain = averaged(chain, SPREAD_S)
     return Mirrored(double_metric(chain[::every], metric=metric, weights=shares, beta=beta), every, taken)

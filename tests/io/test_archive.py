@@ -18,6 +18,7 @@ from leitmotion.discovery.lesson import Difference, Lesson, Step, Variation
 from leitmotion.discovery.pattern import Pattern, PatternPair, Patterns
 from leitmotion.discovery.residual import Candidate, Residual
 from leitmotion.discovery.shared import Places, SharedPair, SharedPattern, SharedPatterns
+from leitmotion.discovery.symmetry_span import Symmetry, SymmetrySpan
 from leitmotion.evaluation import (
     FoundPatterns,
     PatternScores,
@@ -91,6 +92,9 @@ def samples():
     yield SharedPatterns((pattern,), (pair,), ("a", "b"), [30, 60], [12, 10], {"gap_s": 2.0})
     yield SideBias(("left", "right"), rotations.normalize(rng.normal(size=(2, 4))), [0.1, 0.2], "mean", 7)
     yield DoubleMetric(values, values.T, "inner", 30.0, ("left", "right"), [0.5, 0.5], 20.0)
+    again = SymmetrySpan("path_repetition", 0, 3, 0.7, partner=(4, 9), reason="near")
+    walk = SymmetrySpan("anti_phase", 0, 9, 0.8, cyclic=True, marks=[0, 3, 6, 8])
+    yield from (again, Symmetry((again, walk), 30, 9, {"beta": 20.0}, [4]))
     flight = Flight(1, 3, 9.7, 0.002, [0.1, 0.2, 0.3], 0.05, 0.1)
     yield flight
     yield weighed(rng, flight)

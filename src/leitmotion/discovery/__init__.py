@@ -9,6 +9,7 @@ from leitmotion.discovery.patterns import METHODS, find_patterns
 from leitmotion.discovery.recurrence import find_recurrences
 from leitmotion.discovery.residual import Candidate, Residual, search_residual
 from leitmotion.discovery.shared import Places, SharedPair, SharedPattern, SharedPatterns
+from leitmotion.discovery.symmetry import find_symmetry
 from leitmotion.discovery.symmetry_span import MOTIFS, Symmetry, SymmetrySpan
 from leitmotion.discovery.tang2008 import find_patterns_tang2008
 from leitmotion.discovery.typical import align_occurrences, typical_occurrence
@@ -40,6 +41,7 @@ __all__ = [
     "find_patterns_tang2008",
     "find_recurrences",
     "find_shared_patterns",
+    "find_symmetry",
     "make_lesson",
     "nearest_across",
     "search_residual",

@@ -1,6 +1,7 @@
 """What numbers describe a frame, and what are they invariant to."""
 
 from leitmotion.features.angles import joint_angles
+from leitmotion.features.averaging import averaged
 from leitmotion.features.bias import SideBias, side_bias, without_bias
 from leitmotion.features.catalogue import FEATURES, Feature, extract
 from leitmotion.features.chain import kinematic_chain
@@ -22,6 +23,7 @@ __all__ = [
     "Parts",
     "SideBias",
     "active_weights",
+    "averaged",
     "choose_roles",
     "extract",
     "joint_angles",
