@@ -32,6 +32,7 @@ FACADE = (
     "conversion",
     "describing",
     "evaluating",
+    "graphing",
     "inspection",
     "lessons",
     "sharing",

@@ -24,6 +24,7 @@ from leitmotion.datasets import compose_session
 from leitmotion.describing import Recording, Roles, as_body, described, of_body, weighed
 from leitmotion.discovery import (
     Lesson,
+    MotionGraph,
     Pattern,
     Patterns,
     Residual,
@@ -35,6 +36,7 @@ from leitmotion.discovery import (
 from leitmotion.evaluating import evaluate
 from leitmotion.evaluation import FoundPatterns, PatternScores, PatternTruth
 from leitmotion.features import FEATURES, FeatureSequence
+from leitmotion.graphing import motion_graph
 from leitmotion.inspection import Info, info
 from leitmotion.io import load, read, read_all, read_annotations, save, write, write_whole
 from leitmotion.lessons import make_lesson, summarize
@@ -68,6 +70,7 @@ __all__ = [
     "Lesson",
     "Mirrored",
     "Motion",
+    "MotionGraph",
     "ParameterError",
     "Pattern",
     "PatternScores",
@@ -97,6 +100,7 @@ __all__ = [
     "info",
     "load",
     "make_lesson",
+    "motion_graph",
     "read",
     "read_all",
     "read_annotations",

@@ -1,0 +1,106 @@
+"""Moments: what of one recording or several is compared, smooth enough that its speed tells when the body turns."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import NamedTuple
+
+import numpy as np
+
+from leitmotion.features import FeatureSequence
+from leitmotion.features.resampling import resample
+from leitmotion.features.rotations import towards_mean
+from leitmotion.motion.rotations import normalize
+from leitmotion.motion.smoothing import SHORTEST, smooth
+from leitmotion.similarity import double_metric
+
+RATE = 30.0
+"""Moments a second."""
+MOST = 6000
+"""Moments in all recordings together."""
+CUTOFFS = (1.5, 6.0)
+"""Hertz between which the cutoff is chosen."""
+ABOVE_NOISE = 4.0  # times the power of the noise, from which on there is movement
+
+
+class Moments(NamedTuple):
+    """Moments of one recording or several, one after another, beside their mirror images."""
+
+    own: np.ndarray
+    """(N, N) float32: the angle by which a mean link is turned between two moments, root mean square, radians."""
+    mirror: np.ndarray
+    """(N, N) float32: the same to the mirror image of the second moment."""
+    speed: np.ndarray
+    """(N,) radians a second of a mean link."""
+    starts: np.ndarray
+    """(R + 1,) int: the moment at which each recording begins, and the end."""
+    rate: float
+    """Moments a second."""
+    half: float
+    """The angle at which two moments are half alike."""
+
+
+def moments_of(chains: Sequence[FeatureSequence], *, weights: np.ndarray | None = None) -> Moments:
+    """Smooth kinematic chains, and compare every moment with every other and with its mirror image."""
+    rate = min(RATE, *(chain.rate for chain in chains))
+    seconds = sum(len(chain) / chain.rate for chain in chains)
+    rate = min(rate, MOST / seconds) if seconds * rate > MOST else rate
+    pieces = [resample(smoothed(chain), rate) for chain in chains]
+    values = np.concatenate([piece.values for piece in pieces])
+    turned = values.reshape(len(values), -1, 4)
+    whole = pieces[0].replace(values=(turned * towards_mean(turned)).reshape(len(values), -1))
+    double = double_metric(whole, weights=weights)
+    starts = np.concatenate(([0], np.cumsum([len(piece) for piece in pieces])))
+    own, mirror = (_angle(each) for each in (double.own, double.mirror))
+    speed = np.concatenate(
+        [_speed(own[a:b, a:b], rate) for a, b in zip(starts[:-1], starts[1:], strict=True)]
+    )
+    return Moments(own, mirror, speed, starts, rate, double.half_angle)
+
+
+def smoothed(chain: FeatureSequence) -> FeatureSequence:
+    """Take away what is faster than the movement; what is unseen stays unseen."""
+    if len(chain) < SHORTEST or chain.rate < 2.5 * CUTOFFS[0]:
+        return chain
+    turned = chain.values.reshape(len(chain), -1, 4)
+    seen = np.isfinite(turned).all(axis=2)
+    values = np.stack([_filled(turned[:, k], seen[:, k]) for k in range(turned.shape[1])], axis=1)
+    flat = values.reshape(len(chain), -1)
+    cutoff = cutoff_of(flat, chain.rate)
+    if cutoff < 0.44 * chain.rate:
+        values = normalize(smooth(flat, cutoff, chain.rate).reshape(values.shape))
+    return chain.replace(values=np.where(seen[..., None], values, np.nan).reshape(len(chain), -1))
+
+
+def cutoff_of(values: np.ndarray, rate: float) -> float:
+    """Where the movement sinks below the noise, hertz: the power at high frequencies is taken for noise."""
+    centred = (values - values.mean(axis=0)) * np.hanning(len(values))[:, None]
+    power = (np.abs(np.fft.rfft(centred, axis=0)) ** 2).sum(axis=1)
+    hertz = np.fft.rfftfreq(len(values), 1.0 / rate)
+    noise = np.median(power[hertz >= 0.3 * rate])
+    wide = max(1, round(0.5 * len(values) / rate))
+    level = np.convolve(power, np.ones(wide) / wide, mode="same")
+    loud = hertz[level > ABOVE_NOISE * noise]
+    return float(np.clip(loud.max() if loud.size else 0.0, *CUTOFFS))
+
+
+def _filled(values: np.ndarray, seen: np.ndarray) -> np.ndarray:
+    if seen.all():
+        return values
+    if not seen.any():
+        return np.tile([1.0, 0.0, 0.0, 0.0], (len(values), 1))
+    frames = np.arange(len(values))
+    return np.stack([np.interp(frames, frames[seen], column[seen]) for column in values.T], axis=1)
+
+
+def _angle(cost: np.ndarray) -> np.ndarray:
+    return 2.0 * np.arccos(np.clip(1.0 - np.nan_to_num(cost, nan=1.0), 0.0, 1.0))
+
+
+def _speed(own: np.ndarray, rate: float) -> np.ndarray:
+    count = len(own)
+    if count < 3:
+        return np.zeros(count)
+    here = np.arange(count)
+    before, after = np.maximum(here - 1, 0), np.minimum(here + 1, count - 1)
+    return own[before, after] * rate / (after - before)
