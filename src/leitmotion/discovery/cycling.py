@@ -1,4 +1,4 @@
-"""Cycling: where a movement goes round without a halt, any posture may be the state; the first full cycle's first is."""
+"""Cycling: where a movement goes round without a halt, the state is a convention, told by the first full cycle."""
 
 from __future__ import annotations
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from itertools import pairwise
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -11,8 +12,8 @@ from leitmotion.discovery.cycling import cycles
 from leitmotion.discovery.lettering import named
 from leitmotion.discovery.moments import Moments, moments_of
 from leitmotion.discovery.motion_graph import MotionGraph
-from leitmotion.discovery.reducing import reduced
-from leitmotion.discovery.states import Stop, apart_of, askew, cluster, straight, visits
+from leitmotion.discovery.reducing import Walked, reduced
+from leitmotion.discovery.states import apart_of, askew, cluster, straight, visits
 from leitmotion.discovery.turning import centres, halts
 from leitmotion.discovery.ways import Atlas
 from leitmotion.features import FeatureSequence
@@ -51,34 +52,48 @@ def build_graph(
     for chain in chains[1:]:
         if chain.names != chains[0].names:
             raise ParameterError(
-                f"The recordings must have the same links, got {', '.join(chains[0].names)} and {', '.join(chain.names)}."
+                f"The recordings must have the same links, got {', '.join(chains[0].names)} and "
+                f"{', '.join(chain.names)}."
             )
     moments = moments_of(chains, weights=weights)
     floor = askew(moments)
     mirror = straight(moments.mirror, floor)
     candidates, extents = _candidates(moments, mirror)
-    stops: list[list[Stop]] = [[] for _ in chains]
-    confidence, alike = 0.0, moments.half
-    if candidates:
-        alike = apart_of(moments, candidates, extents)
-        orbits = cluster(moments, candidates, alike)
-        stops, confidence = visits(moments, orbits), orbits.confidence
-    stops, gone, courses = reduced(stops, Atlas(moments))
+    drawn = _drawn(moments, candidates, extents)
+    if not drawn.walked.courses:  # nothing recurs or turns back between two halts: from the begin to the end
+        ends = [moment for a, b in pairwise(moments.starts.tolist()) for moment in (a, b - 1)]
+        drawn = _drawn(moments, sorted({*candidates, *ends}), extents)
     rates = tuple(chain.rate for chain in chains)
-    states, paths = named(stops, gone, courses, moments, rates)
+    states, paths = named(drawn.walked, moments, chains)
     return MotionGraph(
         states,
         paths,
         tuple(names) if names else tuple(f"recording {k + 1}" for k in range(len(chains))),
         rates,
-        confidence,
+        drawn.confidence,
         {
-            "alike_deg": round(float(np.degrees(alike)), 2),
+            "alike_deg": round(float(np.degrees(drawn.alike)), 2),
             "half_alike_deg": round(float(np.degrees(moments.half)), 2),
             "lopsided_by_deg": round(float(np.degrees(floor)), 2),
             "moments_per_s": round(moments.rate, 3),
         },
     )
+
+
+class _Drawn(NamedTuple):
+    walked: Walked
+    alike: float
+    confidence: float
+
+
+def _drawn(moments: Moments, candidates: Sequence[int], extents: Sequence[float]) -> _Drawn:
+    """States and paths from these candidates."""
+    if not candidates:
+        nothing: list[list[Any]] = [[] for _ in moments.starts[1:]]
+        return _Drawn(Walked(nothing, nothing, []), moments.half, 0.0)
+    alike = apart_of(moments, candidates, extents)
+    orbits = cluster(moments, candidates, alike)
+    return _Drawn(reduced(visits(moments, orbits), Atlas(moments, alike)), alike, orbits.confidence)
 
 
 def _candidates(moments: Moments, mirror: np.ndarray) -> tuple[list[int], list[float]]:

@@ -4,58 +4,65 @@ from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Sequence
+from typing import NamedTuple
 
 from leitmotion.discovery.moments import Moments
 from leitmotion.discovery.motion_graph import Path, State, Visit
+from leitmotion.discovery.reducing import Walked
 from leitmotion.discovery.states import Stop
-from leitmotion.discovery.ways import Course, Gone, Node, node_of, ways_of
+from leitmotion.discovery.ways import Course, Node, node_of, ways_of
+from leitmotion.features import FeatureSequence
 
 ASYMMETRIC = "ABCDEFGHIJKLMNO"
 SYMMETRIC = "XYZWVUTSRQP"
 
 
 def named(
-    stops: Sequence[Sequence[Stop]],
-    gone: Sequence[Sequence[Gone]],
-    courses: Sequence[Course],
-    moments: Moments,
-    rates: Sequence[float],
+    walked: Walked, moments: Moments, chains: Sequence[FeatureSequence]
 ) -> tuple[tuple[State, ...], tuple[Path, ...]]:
     """Name states and paths in the order of their first visits, recordings in their order.
 
     Parameters
     ----------
-    stops : sequence of sequence of Stop
-        The visits of states, recording by recording.
-    gone : sequence of sequence of Gone
-        Which path lies between each two that follow one another.
-    courses : sequence of Course
-        The paths, up to reflection and reversal.
+    walked : Walked
+        The visits of states, and which path lies between each two.
     moments : Moments
         In which all this is told.
-    rates : sequence of float
-        Frames per second of the recordings.
+    chains : sequence of FeatureSequence
+        The recordings.
 
     Returns
     -------
     tuple of State, tuple of Path
         The nodes and the edges.
     """
-    names = _names(stops)
+    names = _names(walked.stops)
+    frames = _Frames(moments, chains)
     visited: dict[Node, list[Visit]] = defaultdict(list)
-    for k, row in enumerate(stops):
+    for k, row in enumerate(walked.stops):
         for stop in row:
-            visited[node_of(stop)].append(_visit(k, stop.start, stop.stop, moments, rates))
+            visited[node_of(stop)].append(frames.visit(k, stop.start, stop.stop))
+    images = {node: (node[0], -node[1]) for node in visited}
     states = tuple(
-        State(
-            names[node],
-            node[1] == 0,
-            tuple(held),
-            names[node[0], -node[1]] if (node[0], -node[1]) in visited else "",
-        )
+        State(names[node], node[1] == 0, tuple(held), names[images[node]] if images[node] in visited else "")
         for node, held in visited.items()
     )
-    return states, _paths(stops, gone, courses, names, moments, rates)
+    return states, _paths(walked, names, frames)
+
+
+class _Frames(NamedTuple):
+    """What makes of moments frames of a recording."""
+
+    moments: Moments
+    chains: Sequence[FeatureSequence]
+
+    def visit(self, recording: int, start: int, stop: int, *, backwards: bool = False) -> Visit:
+        """A visit of moments [start, stop); the last moment lasts to the end."""
+        first, end = self.moments.starts[recording : recording + 2].tolist()
+        chain = self.chains[recording]
+        each = chain.rate / self.moments.rate
+        last = len(chain) if stop == end else min(round((stop - first) * each), len(chain))
+        return Visit(recording, round((start - first) * each), last, reversed=backwards)
 
 
 def _names(stops: Sequence[Sequence[Stop]]) -> dict[Node, str]:
@@ -76,42 +83,26 @@ def _names(stops: Sequence[Sequence[Stop]]) -> dict[Node, str]:
     return names
 
 
-def _paths(
-    stops: Sequence[Sequence[Stop]],
-    gone: Sequence[Sequence[Gone]],
-    courses: Sequence[Course],
-    names: dict[Node, str],
-    moments: Moments,
-    rates: Sequence[float],
-) -> tuple[Path, ...]:
+def _paths(walked: Walked, names: dict[Node, str], frames: _Frames) -> tuple[Path, ...]:
     visited: dict[tuple[int, bool], list[Visit]] = defaultdict(list)
     directions: dict[int, set[bool]] = defaultdict(set)
-    for row, walked in zip(ways_of(stops), gone, strict=True):
-        for way, how in zip(row, walked, strict=True):
-            went = _visit(way.recording, way.start, way.stop, moments, rates, how.reversed)
-            visited[how.path, how.mirrored].append(went)
+    for row, gone in zip(ways_of(walked.stops), walked.gone, strict=True):
+        for way, how in zip(row, gone, strict=True):
+            visit = frames.visit(way.recording, way.start, way.stop, backwards=how.reversed)
+            visited[how.path, how.mirrored].append(visit)
             directions[how.path].add(how.reversed)
-    labels = _labels(courses, names)
+    labels = _labels(walked.courses, names)
     paths = []
-    for (k, mirrored), went in visited.items():
-        course = courses[k]
+    for (k, mirrored), visits in visited.items():
+        course = walked.courses[k]
         source, target = (
             names[node_of(stop, mirrored)] for stop in (course.first.source, course.first.target)
         )
+        own = course.symmetric or course.antipalindromic
+        image = labels[k, mirrored != (not own)] if own or (k, not mirrored) in visited else ""
+        reversible = course.palindromic or len(directions[k]) > 1
         paths.append(
-            Path(
-                labels[k, mirrored],
-                source,
-                target,
-                course.symmetric,
-                course.palindromic or len(directions[k]) > 1,
-                tuple(went),
-                labels[k, mirrored]
-                if course.symmetric or course.antipalindromic
-                else labels[k, not mirrored]
-                if (k, not mirrored) in visited
-                else "",
-            )
+            Path(labels[k, mirrored], source, target, course.symmetric, reversible, tuple(visits), image)
         )
     return tuple(paths)
 
@@ -134,13 +125,3 @@ def _labels(courses: Sequence[Course], names: dict[Node, str]) -> dict[tuple[int
         name = f"{base}{seen[base]}" if count[base] > 1 else base
         labels[k, starred], labels[k, not starred] = name, f"({name})*"
     return labels
-
-
-def _visit(
-    recording: int, start: int, stop: int, moments: Moments, rates: Sequence[float], reverse: bool = False
-) -> Visit:
-    frames = rates[recording] / moments.rate
-    offset = int(moments.starts[recording])
-    return Visit(
-        recording, round((start - offset) * frames), round((stop - 1 - offset) * frames) + 1, reversed=reverse
-    )

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
 
-from leitmotion.features import FeatureSequence
+from leitmotion.discovery.evening import matched_bias
+from leitmotion.features import FeatureSequence, without_bias
 from leitmotion.features.resampling import resample
 from leitmotion.features.rotations import towards_mean
 from leitmotion.motion.rotations import normalize
@@ -45,16 +47,14 @@ def moments_of(chains: Sequence[FeatureSequence], *, weights: np.ndarray | None 
     rate = min(RATE, *(chain.rate for chain in chains))
     seconds = sum(len(chain) / chain.rate for chain in chains)
     rate = min(rate, MOST / seconds) if seconds * rate > MOST else rate
-    pieces = [resample(smoothed(chain), rate) for chain in chains]
+    pieces = [_evened(resample(smoothed(chain), rate)) for chain in chains]
     values = np.concatenate([piece.values for piece in pieces])
     turned = values.reshape(len(values), -1, 4)
     whole = pieces[0].replace(values=(turned * towards_mean(turned)).reshape(len(values), -1))
     double = double_metric(whole, weights=weights)
     starts = np.concatenate(([0], np.cumsum([len(piece) for piece in pieces])))
     own, mirror = (_angle(each) for each in (double.own, double.mirror))
-    speed = np.concatenate(
-        [_speed(own[a:b, a:b], rate) for a, b in zip(starts[:-1], starts[1:], strict=True)]
-    )
+    speed = np.concatenate([_speed(own[a:b, a:b], rate) for a, b in pairwise(starts)])
     return Moments(own, mirror, speed, starts, rate, double.half_angle)
 
 
@@ -70,6 +70,11 @@ def smoothed(chain: FeatureSequence) -> FeatureSequence:
     if cutoff < 0.44 * chain.rate:
         values = normalize(smooth(flat, cutoff, chain.rate).reshape(values.shape))
     return chain.replace(values=np.where(seen[..., None], values, np.nan).reshape(len(chain), -1))
+
+
+def _evened(chain: FeatureSequence) -> FeatureSequence:
+    bias = matched_bias(chain)
+    return chain if bias is None else without_bias(chain, bias)
 
 
 def cutoff_of(values: np.ndarray, rate: float) -> float:

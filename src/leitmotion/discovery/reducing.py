@@ -1,8 +1,25 @@
-"""Reducing: which states are states, and which only a posture on the way."""
+"""Reducing: which candidates are states, and which only a posture on the way.
+
+A posture through which every way leads on in one and the same manner parts nothing and joins nothing: what leads to it
+and what leads on are one path. It stays a state all the same
+
+- where the body keeps still in it;
+- where it is the turning point of the only path that its neighbour has, or of that and its mirror image: there and
+  back again, as in jumping jacks, else it is a reversible loop of its neighbour;
+- where it is symmetric and what follows is the mirror image of what came before, reversed in time: the middle of an
+  anti-palindrome;
+- where what follows is the mirror image of what came before: half a cycle of an anti-phase movement;
+- where it is the one state of a cycle.
+
+References
+----------
+Paper S, sections 3.5 and 3.6.1: which postures of its examples are states.
+"""
 
 from __future__ import annotations
 
-from collections import defaultdict
+from collections.abc import Sequence
+from typing import NamedTuple
 
 import numpy as np
 
@@ -13,88 +30,101 @@ HELD_S = 0.8
 """Seconds for which a posture is held that is a state wherever it leads."""
 
 
-def reduced(
-    stops: list[list[Stop]], atlas: Atlas, *, held_s: float = HELD_S
-) -> tuple[list[list[Stop]], list[list[Gone]], list[Course]]:
-    """Leave out one state after another that is only a posture on the way."""
-    stops = [list(row) for row in stops]
+class Walked(NamedTuple):
+    """Stops, and what lies between them."""
+
+    stops: list[list[Stop]]
+    """Recording by recording, in order."""
+    gone: list[list[Gone]]
+    """Which path lies between each two."""
+    courses: list[Course]
+    """The paths, up to reflection and reversal."""
+
+    def at(self, orbit: int) -> list[Stop]:
+        """Every visit of a state or its mirror image."""
+        return [stop for row in self.stops for stop in row if stop.orbit == orbit]
+
+    def upright(self, orbit: int) -> bool:
+        """Whether a state is its own mirror image."""
+        return all(stop.side == 0 for stop in self.at(orbit))
+
+    def image(self, gone: Gone) -> Gone:
+        """The same way in the mirror."""
+        return gone if self.courses[gone.path].symmetric else gone._replace(mirrored=not gone.mirrored)
+
+    def back(self, gone: Gone) -> Gone:
+        """The same way reversed."""
+        return gone if self.courses[gone.path].palindromic else gone._replace(reversed=not gone.reversed)
+
+    def ends(self, path: int) -> set[int]:
+        """Which states a path joins, up to reflection."""
+        first = self.courses[path].first
+        return {first.source.orbit, first.target.orbit}
+
+
+def reduced(stops: Sequence[Sequence[Stop]], atlas: Atlas) -> Walked:
+    """Leave out one candidate after another that is only a posture on the way.
+
+    Parameters
+    ----------
+    stops : sequence of sequence of Stop
+        The visits of all candidates, recording by recording.
+    atlas : Atlas
+        What tells which path a way is.
+
+    Returns
+    -------
+    Walked
+        What is left, of a recording that visits any one state at least.
+    """
     while True:
-        gone, courses = atlas.sort(ways_of(stops))
-        passed = _passed(stops, gone, courses)
-        found = [
-            orbit for orbit in passed if _is_on_the_way(orbit, passed, stops, gone, courses, atlas, held_s)
-        ]
-        if not found:
-            return stops, gone, courses
-        lopsided = any(not course.symmetric for course in courses)
-        found.sort(key=lambda orbit: (not (lopsided and _upright(orbit, stops)), -_first(orbit, stops)))
-        stops = [[stop for stop in row if stop.orbit != found[0]] for row in stops]
+        walked = Walked([list(row) for row in stops], *atlas.sort(ways_of(stops)))
+        through = _through(walked)
+        passed = [orbit for orbit in through if _is_on_the_way(orbit, through, walked, atlas)]
+        if not passed or len(through) == 1:
+            return walked
+        # of a lopsided cycle a posture goes first that happens to be symmetric, else what came last
+        lopsided = not all(course.symmetric for course in walked.courses)
+        least = max(
+            passed,
+            key=lambda orbit: (lopsided and walked.upright(orbit), min(s.start for s in walked.at(orbit))),
+        )
+        stops = [[stop for stop in row if stop.orbit != least] for row in walked.stops]
 
 
-def _passed(stops, gone, courses) -> dict[int, set[tuple[Gone, Gone]]]:
-    """By orbit, the ways in and out, those of a mirror image as seen in the mirror."""
-    passed: dict[int, set[tuple[Gone, Gone]]] = defaultdict(set)
-    for row, walked in zip(stops, gone, strict=True):
-        for k, stop in enumerate(row):
-            passed[stop.orbit]
-            if 0 < k < len(row) - 1:
-                passed[stop.orbit].add(_seen(walked[k - 1], walked[k], stop.side, courses))
-    return passed
+def _through(walked: Walked) -> dict[int, set[tuple[Gone, Gone]]]:
+    """By state, the ways into it and on; those of its mirror image as they are seen in the mirror."""
+    through: dict[int, set[tuple[Gone, Gone]]] = {stop.orbit: set() for row in walked.stops for stop in row}
+    for row, gone in zip(walked.stops, walked.gone, strict=True):
+        for stop, into, out in zip(row[1:-1], gone[:-1], gone[1:], strict=True):
+            pair, image = (into, out), (walked.image(into), walked.image(out))
+            seen = min(pair, image) if stop.side == 0 else pair if stop.side == 1 else image
+            through[stop.orbit].add(seen)
+    return through
 
 
-def _seen(into: Gone, out: Gone, side: int, courses) -> tuple[Gone, Gone]:
-    pair = (into, out)
-    image = (_image(into, courses), _image(out, courses))
-    if side == 0:
-        return min(pair, image)
-    return pair if side == 1 else image
-
-
-def _image(gone: Gone, courses) -> Gone:
-    return gone if courses[gone.path].symmetric else gone._replace(mirrored=not gone.mirrored)
-
-
-def _back(gone: Gone, courses) -> Gone:
-    return gone if courses[gone.path].palindromic else gone._replace(reversed=not gone.reversed)
-
-
-def _is_on_the_way(orbit, passed, stops, gone, courses, atlas, held_s) -> bool:
-    through = passed[orbit]
-    at = [stop for row in stops for stop in row if stop.orbit == orbit]
-    held = float(np.median([stop.stop - stop.start for stop in at])) / atlas.moments.rate >= held_s
-    if not through:  # where a recording only happens to begin or to end
-        return len(at) == 1 and not held and any(len(each) > 0 for each in passed.values())
-    if len(through) != 1:
+def _is_on_the_way(
+    orbit: int, through: dict[int, set[tuple[Gone, Gone]]], walked: Walked, atlas: Atlas
+) -> bool:
+    visits = walked.at(orbit)
+    held = np.median([stop.stop - stop.start for stop in visits]) >= HELD_S * atlas.moments.rate
+    if not through[orbit]:  # a recording only happens to begin or to end there
+        return len(visits) == 1 and not held and any(len(walked.at(other)) > 1 for other in through)
+    if len(through[orbit]) > 1:
         return False
-    ((into, out),) = through
-    if into == out or into == _image(out, courses):
-        return False  # a loop, or half a cycle in the mirror
-    if out == _back(into, courses):
-        return not _has_no_other(orbit, out, stops, gone, courses)
-    if _upright(orbit, stops) and out == _image(_back(into, courses), courses):
-        return False  # the centre of what is anti-palindromic
+    ((into, out),) = through[orbit]
+    if into == out or into == walked.image(out):
+        return False
+    if out == walked.back(into):
+        return not _leads_nowhere_else(orbit, out.path, walked)
+    if walked.upright(orbit) and out == walked.image(walked.back(into)):
+        return False
     return not held
 
 
-def _has_no_other(orbit, out, stops, gone, courses) -> bool:
-    """Whether the state from which a body turns back here has no other path but that one and its mirror image."""
-    ends = {courses[out.path].first.source.orbit, courses[out.path].first.target.orbit}
-    others = ends - {orbit}
-    if not others:
-        return True
-    (base,) = others
-    leading = {
-        g.path
-        for row in gone
-        for g in row
-        if base in (courses[g.path].first.source.orbit, courses[g.path].first.target.orbit)
-    }
-    return leading == {out.path}
-
-
-def _upright(orbit, stops) -> bool:
-    return all(stop.side == 0 for row in stops for stop in row if stop.orbit == orbit)
-
-
-def _first(orbit, stops) -> tuple[int, int]:
-    return min(stop.start for row in stops for stop in row if stop.orbit == orbit)
+def _leads_nowhere_else(orbit: int, path: int, walked: Walked) -> bool:
+    """Whether the state from which the body came has no other path but that one and its mirror image."""
+    others = walked.ends(path) - {orbit}
+    return not others or {
+        gone.path for row in walked.gone for gone in row if walked.ends(gone.path) & others
+    } == {path}

@@ -43,9 +43,9 @@ class Orbits(NamedTuple):
 
 
 def askew(moments: Moments) -> float:
-    """How lopsided the most symmetric moment is, as far as that may be how a suit sits, radians."""
-    lop = np.diagonal(moments.mirror)
-    return float(min(np.percentile(lop, 1), ASKEW))
+    """How lopsided the most symmetric moment is, radians; 0 where that is more than how a suit may sit."""
+    least = float(np.percentile(np.diagonal(moments.mirror), 1))
+    return least if least < ASKEW else 0.0
 
 
 def straight(angle: np.ndarray, floor: float) -> np.ndarray:

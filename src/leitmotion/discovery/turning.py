@@ -23,7 +23,7 @@ def halts(moments: Moments, start: int, stop: int) -> list[int]:
     peak = np.percentile(speed, 95)
     depth = -np.log(np.maximum(speed, max(SLOWEST * peak, 1e-6)))
     padded = np.concatenate(([-np.log(max(peak, 1e-6))], depth, [-np.log(max(peak, 1e-6))]))
-    found, told = find_peaks(padded, prominence=DEEP, plateau_size=1)
+    found, _ = find_peaks(padded, prominence=DEEP, plateau_size=1)
     return [start + int(place) - 1 for place in found]
 
 

@@ -14,7 +14,7 @@ from leitmotion.similarity import align
 
 SAME = 0.4  # of how far a way leads: ways that differ by less, at the worst moments but a few, are one path
 WORST = 85.0  # percentile of the moments
-LEAST = np.radians(6.0)
+LEAST = 0.8  # of what makes two moments the same state: ways may differ as much as their ends may
 COMPARED = 8  # ways of a path with which another is compared
 
 
@@ -31,10 +31,12 @@ class Way(NamedTuple):
 
     @property
     def start(self) -> int:
+        """The last moment at the source."""
         return self.source.stop - 1
 
     @property
     def stop(self) -> int:
+        """After the first moment at the target."""
         return self.target.start + 1
 
 
@@ -70,8 +72,9 @@ def node_of(stop: Stop, mirrored: bool = False) -> Node:
 class Atlas:
     """Tells which path each way is."""
 
-    def __init__(self, moments: Moments) -> None:
+    def __init__(self, moments: Moments, alike: float) -> None:
         self.moments = moments
+        self.least = LEAST * alike
         self.floor = askew(moments)
         self.costs: dict[tuple[int, int, int, int, bool, bool], float] = {}
 
@@ -92,7 +95,7 @@ class Atlas:
             worst = float(np.percentile(along, WORST))
             if mirrored:
                 worst = float(straight(np.array(worst), self.floor))
-            self.costs[key] = worst / max(SAME * max(self.extent(a), self.extent(b)), LEAST)
+            self.costs[key] = worst / max(SAME * max(self.extent(a), self.extent(b)), self.least)
         return self.costs[key]
 
     def sort(self, ways: Sequence[Sequence[Way]]) -> tuple[list[list[Gone]], list[Course]]:

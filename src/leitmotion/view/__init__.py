@@ -2,6 +2,7 @@
 
 from leitmotion.view.calibration import plot_calibration
 from leitmotion.view.curves import plot_dynamics
+from leitmotion.view.graph_text import graph_document, graphml
 from leitmotion.view.lanes import plot_shared_patterns
 from leitmotion.view.payload import page_payload
 from leitmotion.view.plots import plot_figures, plot_matrix, plot_patterns
@@ -10,6 +11,8 @@ from leitmotion.view.shared import shared_page, shared_payload
 from leitmotion.view.symmetry import plot_symmetry, symmetry_image
 
 __all__ = [
+    "graph_document",
+    "graphml",
     "page_payload",
     "plot_calibration",
     "plot_dynamics",

@@ -1,0 +1,170 @@
+"""The motion graph: the seven motions of paper S, and what the mirror, time, rate and place do to it."""
+
+import unicodedata
+from itertools import permutations
+
+import numpy as np
+import pytest
+
+import leitmotion as lm
+from leitmotion.discovery import build_graph, notation, performed, racemized
+from leitmotion.features import kinematic_chain, mirrored
+from leitmotion.features.resampling import resample
+from leitmotion.io import load, save
+from leitmotion.motion import ParameterError
+from oracles import body as oracle
+from oracles import danced as motifs
+
+SEEDS = (0, 1)
+
+
+def written(graph):
+    return unicodedata.normalize("NFC", notation(graph))
+
+
+def edges(graph, names, *, backwards=False):
+    """What there is between which states, renamed."""
+    told = []
+    for path in graph.paths:
+        ends = [names[path.source], names[path.target]][:: -1 if backwards else 1]
+        told.append((*(sorted(ends) if path.reversible else ends), path.reversible, path.symmetric))
+    return sorted(told)
+
+
+def isomorphic(one, other, *, backwards=False):
+    """Whether some renaming of states makes one graph the other, gone about as often."""
+    counts = [sum(len(path.visits) for path in graph.paths) for graph in (one, other)]
+    if len(one.states) != len(other.states) or abs(counts[0] - counts[1]) > 1:
+        return False
+    wanted = edges(other, {state.name: state.name for state in other.states})
+    for order in permutations(one.states):
+        pairs = list(zip(order, other.states, strict=True))
+        names = {a.name: b.name for a, b in pairs}
+        if (
+            all(a.symmetric == b.symmetric for a, b in pairs)
+            and edges(one, names, backwards=backwards) == wanted
+        ):
+            return True
+    return False
+
+
+@pytest.mark.parametrize("seed", SEEDS)
+@pytest.mark.parametrize("name", motifs.GRAPHS)
+def test_the_motions_of_the_thesis_have_its_graphs(name, seed):
+    assert written(build_graph([motifs.performed(name, seed)])) == motifs.GRAPHS[name]
+
+
+@pytest.mark.parametrize("name", motifs.GRAPHS)
+def test_the_mirror_conjugates_the_graph(name):
+    chain = motifs.performed(name, 2)
+    graph, image = build_graph([chain]), build_graph([mirrored(chain)])
+    assert written(image) == written(graph)  # whichever side comes first is called A
+    assert isomorphic(image, graph)
+    both = build_graph([chain, mirrored(chain)])
+    first = {state.name for state in both.states if any(visit.recording == 0 for visit in state.visits)}
+    second = {state.name for state in both.states if any(visit.recording == 1 for visit in state.visits)}
+    assert second == {state.mirror for state in both.states if state.name in first}
+
+
+@pytest.mark.parametrize("name", motifs.GRAPHS)
+def test_time_that_runs_backwards_turns_the_arrows_round(name):
+    chain = motifs.performed(name, 3)
+    back = chain.replace(values=chain.values[::-1])
+    assert isomorphic(build_graph([back]), build_graph([chain]), backwards=True)
+
+
+@pytest.mark.parametrize("name", motifs.GRAPHS)
+def test_the_rate_and_missing_links_change_nothing(name):
+    chain = motifs.performed(name, 4, rate=120.0)
+    graph = build_graph([chain])
+    assert isomorphic(build_graph([resample(chain, 45.0)]), graph)
+    values = chain.values.reshape(len(chain), -1, 4)
+    kept = [k for k, link in enumerate(chain.names) if link not in ("lower_neck", "upper_neck", "lower_back")]
+    fewer = chain.replace(
+        values=values[:, kept].reshape(len(chain), -1), names=tuple(chain.names[k] for k in kept)
+    )
+    assert isomorphic(build_graph([fewer]), graph)
+
+
+def test_yaw_and_place_change_nothing(rng):
+    motion = oracle.human(rng, frames=240, bend=0.9)
+    there = oracle.moved(motion, yaw=2.0, by=[3.0, 0.0, -1.0])
+    one, other = (build_graph([kinematic_chain(each)]) for each in (motion, there))
+    assert (one.states, one.paths) == (other.states, other.paths)
+
+
+def test_visits_follow_one_another_and_paths_lie_between_them():
+    graph = build_graph([motifs.performed("sun salutation", 0, varied=False, noise=0.0)])
+    states = sorted((v.start, v.stop, s.name) for s in graph.states for v in s.visits)
+    paths = sorted((v.start, v.stop, p, v.reversed) for p in graph.paths for v in p.visits)
+    assert len(paths) == len(states) - 1
+    for (_, begins, here), (start, stop, path, back), (ends, _, there) in zip(
+        states[:-1], paths, states[1:], strict=True
+    ):
+        assert abs(start - begins) <= 2
+        assert abs(stop - ends) <= 2
+        assert (here, there) == ((path.target, path.source) if back else (path.source, path.target))
+    assert performed(graph).split()[:4] == ["X̄", "x̄y", "x̄y", "x̄x"]
+
+
+def test_states_are_shared_across_recordings():
+    left = motifs.performed("jumping jacks", 5)
+    right = motifs.performed("jumping jacks", 5, rate=30.0)
+    graph = build_graph([left, right], names=["first", "second"])
+    assert written(graph) == motifs.GRAPHS["jumping jacks"]
+    for state in graph.states:
+        assert {visit.recording for visit in state.visits} == {0, 1}
+    assert graph.rates == (60.0, 30.0)
+
+
+def test_nothing_that_moves_has_one_state():
+    still = np.tile([1.0, 0.0, 0.0, 0.0], (90, 15))
+    graph = build_graph([motifs.performed("walking", 0).replace(values=still)])
+    assert written(graph) == "X̄"
+    assert (graph.states[0].visits[0].start, graph.states[0].visits[0].stop) == (0, 90)
+
+
+def test_a_racemized_graph_is_its_own_image_and_stays_so():
+    for name in motifs.GRAPHS:
+        graph = racemized(build_graph([motifs.performed(name, 0)]))
+        assert racemized(graph) == graph
+        if name == "limping":
+            assert graph.parameters["racemized"] == "nothing"
+            assert written(graph) == motifs.GRAPHS[name]
+            continue
+        assert graph.parameters["racemized"] == "all"
+        states = {state.name: state for state in graph.states}
+        for path in graph.paths:
+            twin = next(other for other in graph.paths if other.name == path.mirror)
+            assert (twin.source, twin.target) == (states[path.source].mirror, states[path.target].mirror)
+    salutation = racemized(build_graph([motifs.performed("sun salutation", 0)]))
+    assert [path.name for path in salutation.paths if path.reflected] == ["(wv)*"]
+    assert written(salutation).endswith("; W: (wv)* →")
+
+
+def test_a_graph_is_saved_whole(tmp_path):
+    graph = racemized(build_graph([motifs.performed("side kicks", 0)]))
+    assert load(save(graph, tmp_path / "kicks.npz")) == graph
+
+
+def test_what_is_asked_wrongly_is_told():
+    with pytest.raises(ParameterError, match="one recording at least"):
+        lm.motion_graph([])
+    motion = lm.compose_session(seed=0, rate=30.0).motion
+    with pytest.raises(ParameterError, match="bias must be one of"):
+        lm.motion_graph(motion, bias="left")
+    with pytest.raises(ParameterError, match="has one name"):
+        lm.motion_graph([motion], names=["a", "b"])
+
+
+@pytest.mark.data
+@pytest.mark.parametrize(
+    ("file", "expected"),
+    [
+        ("cmu_bvh/jumping_jacks.bvh", "X̄, Ȳ; x̄y ↔"),
+        ("cmu_bvh/cmu_12_01_walk.bvh", "A, A*; aa* →, (aa*)* →"),
+        ("bandai_namco/dataset-1_walk_normal_001.bvh", "A, A*; aa* →, (aa*)* →"),
+    ],
+)
+def test_real_recordings_are_what_they_are(data, file, expected):
+    assert written(lm.motion_graph(lm.read(data / file))) == expected
