@@ -7,7 +7,7 @@ from leitmotion.features.catalogue import FEATURES, Feature, extract
 from leitmotion.features.chain import kinematic_chain
 from leitmotion.features.directions import limb_directions, limbs_of
 from leitmotion.features.markers import marker_posture
-from leitmotion.features.mirror import mirrored
+from leitmotion.features.mirror import mirror_distance, mirrored
 from leitmotion.features.parts import Parts, symmetry_parts
 from leitmotion.features.posture import choose_roles, posture
 from leitmotion.features.resampling import resample
@@ -32,6 +32,7 @@ __all__ = [
     "limb_directions",
     "limbs_of",
     "marker_posture",
+    "mirror_distance",
     "mirrored",
     "posture",
     "resample",

@@ -6,6 +6,7 @@ import numpy as np
 
 from leitmotion.body import CHAIN_LINKS, mirror_role
 from leitmotion.features.sequence import FeatureSequence
+from leitmotion.motion import ParameterError
 
 SIDES = ("left_", "right_")
 
@@ -56,3 +57,41 @@ def mirrored(features: FeatureSequence) -> FeatureSequence | None:
     signs = [1.0, 1.0, -1.0, -1.0] if is_chain else [-1.0, 1.0, 1.0]
     values = features.values.reshape(len(features), -1, features.width)[:, order] * signs * share[:, None]
     return features.replace(values=np.ascontiguousarray(values.reshape(len(features), -1)))
+
+
+def mirror_distance(features: FeatureSequence) -> np.ndarray:
+    """Measure how far each posture is from its own mirror image: how lopsided the body stands, in places.
+
+    Parameters
+    ----------
+    features : FeatureSequence
+        Postures of a body that faces +Z, groups of three values: T frames.
+
+    Returns
+    -------
+    (T,) float
+        The mean over the joints, in the unit of the values; over those that are seen together with their partner, NaN
+        where there is none.
+
+    Raises
+    ------
+    ParameterError
+        When the mirror image of these features is not known, or they are no places.
+
+    Examples
+    --------
+    >>> hands = FeatureSequence([[1, 2, 3, -1, 2, 5]], ("left_hand", "right_hand"), rate=30, width=3)
+    >>> mirror_distance(hands).tolist()
+    [2.0]
+    """
+    image = mirrored(features) if features.width == 3 else None
+    if image is None:
+        raise ParameterError(
+            "The mirror images of these features are not known.",
+            remedy="Take postures in three dimensions with the joints of both sides.",
+        )
+    apart = np.linalg.norm((image.values - features.values).reshape(len(features), -1, 3), axis=2)
+    seen = np.isfinite(apart)
+    with np.errstate(invalid="ignore"):
+        mean: np.ndarray = np.where(seen, apart, 0.0).sum(axis=1) / seen.sum(axis=1)
+    return mean

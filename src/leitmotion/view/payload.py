@@ -10,20 +10,23 @@ lengths and its little-endian bytes in base64.
 
 from __future__ import annotations
 
-import base64
 from typing import Any
 
 import numpy as np
 
-from leitmotion.body import ANALYSIS_ROLES, LINKS, ROLES, Body
+from leitmotion.body import ANALYSIS_ROLES, LINKS, ROLES, Body, Dynamics
 from leitmotion.discovery import Pattern, Patterns, make_lesson
 from leitmotion.features import posture
 from leitmotion.motion import ParameterError, Segmentation
 from leitmotion.similarity import SimilarityMatrix
 from leitmotion.view import words
+from leitmotion.view.arrays import array
 from leitmotion.view.choose import MISSING, choose_key, choose_strips, find_nearest, floor_height, look_across
+from leitmotion.view.curve_payload import curves_payload
 from leitmotion.view.distances import distance_cap, how_told
 from leitmotion.view.lesson import step_payload
+from leitmotion.view.symmetry_payload import Mirroring, symmetry_payload
+from leitmotion.view.symmetry_words import NOT_COMPUTED
 
 VERSION = 1
 DRAWN_RATE = 30.0
@@ -34,13 +37,6 @@ PATH_RATE = 15.0
 NEAREST_QUANTUM = 1e-4
 STRIP_COUNTS = (*range(1, 15), 16, 18)
 HEAD_TOP = 0.14
-JS_TYPES = {
-    "i2": "Int16Array",
-    "i4": "Int32Array",
-    "u1": "Uint8Array",
-    "u2": "Uint16Array",
-    "f4": "Float32Array",
-}
 
 
 def page_payload(
@@ -51,6 +47,8 @@ def page_payload(
     source: dict[str, Any],
     labels: Segmentation | None = None,
     labels_from: str = "",
+    mirroring: Mirroring | str = NOT_COMPUTED,
+    dynamics: Dynamics | None = None,
 ) -> dict[str, Any]:
     """Turn the nouns into what the page holds.
 
@@ -69,6 +67,10 @@ def page_payload(
         What someone wrote about the recording.
     labels_from : str
         The file name of the labels.
+    mirroring : Mirroring or str
+        Symmetry, or a sentence that says why there is none.
+    dynamics : Dynamics, optional
+        Of the body, for curves.
 
     Returns
     -------
@@ -105,15 +107,19 @@ def page_payload(
         "matrix": _matrix(matrix, cap, unit),
         "nearest": {
             "rate": rate,
-            "seconds": _array(np.where(near < 0, np.nan, near / rate), "f4"),
-            "distances": _array(_quanta(near_distances * unit.per_value), "u2"),
+            "seconds": array(np.where(near < 0, np.nan, near / rate), "f4"),
+            "distances": array(_quanta(near_distances * unit.per_value), "u2"),
             "quantum": NEAREST_QUANTUM,
         },
         "patterns": [_pattern(p, moments, rate) for p in patterns.patterns],
         "stripes": _stripes(patterns),
         "lesson": _lesson(body, patterns),
         "labels": None if labels is None else _labels(labels, labels_from),
-        "strips": [_array(chosen / rate, "f4") for chosen in choose_strips(moments, STRIP_COUNTS)],
+        "symmetry": {"none": mirroring}
+        if isinstance(mirroring, str)
+        else symmetry_payload(body, patterns, mirroring, step=step, metres=unit.draw),
+        "curves": None if dynamics is None else curves_payload(dynamics, step=step),
+        "strips": [array(chosen / rate, "f4") for chosen in choose_strips(moments, STRIP_COUNTS)],
         "empty": None
         if len(patterns)
         else words.empty_text(patterns, still=_keeps_still(moments, rate, cap, unit), remark=remark),
@@ -182,7 +188,7 @@ def _body(body: Body, step: int, unit: _Unit, patterns: Patterns) -> dict[str, A
         "floor": floor,
         "yaw": 0.0 if flat else look_across(drawn, body.facing[::step]),
         "positions": _millimetres(drawn),
-        "facing": _array(body.facing[::step], "f4"),
+        "facing": array(body.facing[::step], "f4"),
     }
 
 
@@ -207,7 +213,7 @@ def _millimetres(drawn: np.ndarray) -> dict[str, Any]:
     whole = np.rint(drawn * 1000)
     far = np.abs(whole[np.isfinite(whole)]).max(initial=0)
     kind = "i2" if far < 32767 else "i4"
-    return _array(np.where(np.isfinite(whole), whole, MISSING[kind]), kind)
+    return array(np.where(np.isfinite(whole), whole, MISSING[kind]), kind)
 
 
 def _matrix(matrix: SimilarityMatrix, cap: float, unit: _Unit) -> dict[str, Any]:
@@ -230,7 +236,7 @@ def _matrix(matrix: SimilarityMatrix, cap: float, unit: _Unit) -> dict[str, Any]
     return {
         "rate": matrix.row_rate / stride,
         "top": top,
-        "values": _array(np.where(known, whole, 255), "u1"),
+        "values": array(np.where(known, whole, 255), "u1"),
     }
 
 
@@ -270,7 +276,7 @@ def _stripes(patterns: Patterns) -> dict[str, Any]:
     return {
         "pattern": [order[pair.pattern] for pair in pairs],
         "length": lengths,
-        "points": _array(np.concatenate(paths) if paths else np.empty((0, 2)), "f4"),
+        "points": array(np.concatenate(paths) if paths else np.empty((0, 2)), "f4"),
     }
 
 
@@ -287,7 +293,7 @@ def _lesson(body: Body, patterns: Patterns) -> dict[str, Any] | None:
     paths = [each.path for step in lesson.steps for each in step.variations]
     return {
         "steps": [step_payload(step, lesson) | {"pattern": order[step.pattern]} for step in lesson.steps],
-        "points": _array(np.concatenate(paths) / lesson.rate, "f4"),
+        "points": array(np.concatenate(paths) / lesson.rate, "f4"),
     }
 
 
@@ -317,12 +323,3 @@ def _keeps_still(distances: np.ndarray, rate: float, cap: float, unit: _Unit) ->
 
 def _quanta(distances: np.ndarray) -> np.ndarray:
     return np.where(np.isfinite(distances), np.minimum(np.rint(distances / NEAREST_QUANTUM), 65535), 65535)
-
-
-def _array(values: np.ndarray, kind: str) -> dict[str, Any]:
-    packed = np.ascontiguousarray(values, dtype="<" + kind)
-    return {
-        "type": JS_TYPES[kind],
-        "shape": list(packed.shape),
-        "data": base64.b64encode(packed.tobytes()).decode("ascii"),
-    }

@@ -18,16 +18,19 @@ from importlib.resources import files
 from pathlib import Path
 from typing import Any
 
-from leitmotion.body import Body
+from leitmotion.body import Body, Dynamics
 from leitmotion.discovery import Patterns
 from leitmotion.motion import ParameterError, Segmentation
 from leitmotion.similarity import SimilarityMatrix
 from leitmotion.view.payload import page_payload
+from leitmotion.view.symmetry_payload import Mirroring
+from leitmotion.view.symmetry_words import NOT_COMPUTED
 
 SCRIPTS = (
-    "data", "theme", "state", "words", "space", "figure", "stage", "differences", "cameras",
-    "matrix", "stripes", "pointing", "timeline", "row_strip", "row_lanes", "row_shared", "row_labels", "row_curve",
-    "panel", "table", "sheets", "save", "play", "lesson", "beside", "keys", "main",
+    "data", "theme", "state", "words", "views", "space", "mirror", "figure", "stage", "differences", "cameras",
+    "matrix", "matrix_mirror", "stripes", "pointing", "timeline", "sheets", "row_strip", "row_lanes", "row_motifs",
+    "row_shared", "row_labels", "row_curve", "panel", "panel_mirror", "table", "table_motifs", "save", "play",
+    "lesson", "beside", "keys", "main",
 )  # fmt: skip
 """The parts of the script, in the order in which they are joined: each uses only those before it when it loads."""
 
@@ -43,6 +46,8 @@ def report_page(
     source: dict[str, Any],
     labels: Segmentation | None = None,
     labels_from: str = "",
+    mirroring: Mirroring | str = NOT_COMPUTED,
+    dynamics: Dynamics | None = None,
 ) -> str:
     """Draw what recurs in a recording as one HTML page that needs nothing beside it.
 
@@ -60,6 +65,10 @@ def report_page(
         What someone wrote about the recording, shown beside the finding.
     labels_from : str
         The file name of the labels.
+    mirroring : Mirroring or str
+        Symmetry, or a sentence that says why there is none.
+    dynamics : Dynamics, optional
+        Of the body, for curves.
 
     Returns
     -------
@@ -72,7 +81,16 @@ def report_page(
         When the matrix is not square or does not cover the body.
     """
     return assembled(
-        page_payload(body, patterns, matrix, source=source, labels=labels, labels_from=labels_from)
+        page_payload(
+            body,
+            patterns,
+            matrix,
+            source=source,
+            labels=labels,
+            labels_from=labels_from,
+            mirroring=mirroring,
+            dynamics=dynamics,
+        )
     )
 
 

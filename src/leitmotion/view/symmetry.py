@@ -14,7 +14,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from leitmotion.motion.errors import ParameterError
-from leitmotion.similarity import DoubleMetric, axis_speed, likeness, still_spans
+from leitmotion.similarity import DoubleMetric, axis_speed, still_spans
+from leitmotion.view.cells import shrunk_likeness
 from leitmotion.view.palette import Theme, theme_named
 from leitmotion.view.plots import (
     SMALL,
@@ -111,21 +112,9 @@ def symmetry_image(found: DoubleMetric, *, cells: int = CELLS) -> np.ndarray:
     """
     from matplotlib.colors import to_rgb
 
-    own, mirror = (_shrunk(each, found.beta, cells)[..., None] for each in (found.own, found.mirror))
+    own, mirror = (shrunk_likeness(each, found.beta, cells)[..., None] for each in (found.own, found.mirror))
     added = own * np.array(to_rgb(RED)) + mirror * np.array(to_rgb(CYAN))
     return np.clip(np.maximum(added, to_rgb(BLACK)), 0.0, 1.0)
-
-
-def _shrunk(distances: np.ndarray, beta: float, cells: int) -> np.ndarray:
-    """Likeness, averaged over squares of moments; what is unseen is like nothing."""
-    step = max(1, -(-len(distances) // cells))
-    edges = np.arange(0, len(distances), step)
-    sizes = np.diff([*edges, len(distances)])
-    rows = [
-        np.add.reduceat(np.nan_to_num(likeness(distances[start : start + step], beta)).sum(axis=0), edges)
-        for start in edges
-    ]
-    return np.array(rows) / np.outer(sizes, sizes)
 
 
 def _draw_square(

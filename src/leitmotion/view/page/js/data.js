@@ -53,6 +53,8 @@ const nearest = {
   each: payload.nearest.seconds.shape[1],
 };
 const patterns = payload.patterns;
+// What was found of symmetry; null where a sentence says why there is none.
+const symmetry = payload.symmetry?.lanes ? payload.symmetry : null;
 const strips = payload.strips.map(decode);
 
 // A stripe is a warping path: seconds of moment 1 and of moment 2, step by step.

@@ -54,7 +54,7 @@ function besideTrunk(camera, at) {
 
 // Joint to joint, filled at 1 and hollow at 2; the three largest with a name and a number, three more thin.
 function drawDifferences(pen, camera, pair) {
-  const { joints } = compare(pair.one, pair.two);
+  const { joints } = comparePair(pair);
   const end = (body, r) => project(camera, body[3 * r], body[3 * r + 1], body[3 * r + 2], {});
   const lines = joints.slice(0, NAMED + THIN).map((joint, rank) => ({
     ...joint, a: end(posture, joint.index), b: end(placed, joint.index),

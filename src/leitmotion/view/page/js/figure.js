@@ -227,8 +227,8 @@ function disc(pen, x, y, r) {
 // A small figure: yaw removed, seen from .45 rad to its left, standing on `base` in the middle of its place.
 const smallPosture = newPosture();
 // Figures that stand in a row share the scale at which the tallest posture of the recording fits.
-function drawSmall(pen, time, { x, base, height, width = Infinity, colour = null, row = false }) {
-  postureAt(time, smallPosture);
+function drawSmall(pen, time, { x, base, height, width = Infinity, colour = null, row = false, mirrored = false }) {
+  imageAt(time, mirrored, smallPosture);
   const root = rootOf(smallPosture);
   if (Number.isNaN(root[0])) return;
   let pixels = height / Math.max(clip.height * 1.04, row ? clip.reach : topOf(smallPosture));

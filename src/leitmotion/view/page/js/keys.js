@@ -15,7 +15,9 @@ addEventListener("keydown", (event) => {
   else if (key === "[" || key === "]") setSpeed(key === "[" ? -1 : 1);
   else if (CAMERAS[Number(key) - 1]) setCamera(CAMERAS[Number(key) - 1]);
   else if (key === "?") toggleHelp();
-  else if (letter === "M" && !several) tellSymmetry();
+  else if (letter === "M" && !several) showView(state.view === "symmetry" ? "repeats" : "symmetry");
+  else if ((letter === "N" || letter === "P") && state.view === "symmetry") stepSpan(letter === "N" ? 1 : -1);
+  else if (state.view !== "repeats" && letter && "LR".includes(letter)) return;
   else if (letter === "L" && lessonSteps.length) showLesson(!state.lesson);
   else if ((letter === "N" || letter === "P") && event.shiftKey && several) stepOther(letter === "N" ? 1 : -1);
   else if (letter === "S" && several && lessonSteps.length) setView("beside", !state.beside);
@@ -34,14 +36,8 @@ addEventListener("keydown", (event) => {
 function escape() {
   if (closeSheet()) return;
   if (state.held || state.hover) release();
+  else if (state.span !== null) clearSpan();
   else if (state.pattern !== null) clearPattern();
-}
-
-function tellSymmetry() {
-  const note = $("symmetry-note").textContent;
-  $("live").textContent = note;
-  showTip($("tab-symmetry"), note);
-  setTimeout(() => showTip(null), 2400);
 }
 
 // A button pressed by the pointer gives the keys back to the page, so that space plays on.

@@ -90,6 +90,7 @@ function toggleRepeat() {
 
 function showLesson(shown) {
   if (!lessonSteps.length || state.lesson === shown) return;
+  if (shown) showView("repeats");
   state.lesson = shown;
   if (!shown && state.take !== null) clearPattern();
   keepHash();
@@ -108,7 +109,6 @@ function buildLesson() {
     return;
   }
   $("tab-lesson").addEventListener("click", () => showLesson(true));
-  $("tab-repeats").addEventListener("click", () => showLesson(false));
   const list = make("ol", "steps", lessonSteps.map(buildStep));
   const arrow = (name, key, d, act) => {
     const button = make("button", "plain icon", [], { type: "button", "aria-label": name, title: `${name}: ${key}` });
@@ -168,7 +168,7 @@ function placeLesson() {
     if (beside) home.append(lesson.element);
     else home.insertBefore(lesson.element, $("timeline"));
   }
-  const shown = !beside || (state.lesson && !pairOnShow());
+  const shown = state.view === "repeats" && (!beside || (state.lesson && !pairOnShow()));
   if (lesson.element.hidden === shown) lesson.element.hidden = !shown;
   if (panel.element.hidden !== (beside && shown)) panel.element.hidden = beside && shown;
 }
@@ -181,7 +181,6 @@ if (lessonSteps.length) {
   on("frame", placeLesson);
   on("change", () => {
     $("tab-lesson").setAttribute("aria-pressed", state.lesson);
-    $("tab-repeats").setAttribute("aria-pressed", !state.lesson);
     lesson.repeat.setAttribute("aria-pressed", state.repeat);
     for (const { step, p, first, head, takes, others, list, element } of lesson.steps) {
       const chosen = state.take !== null && state.pattern === p;

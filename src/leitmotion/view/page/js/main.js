@@ -6,8 +6,6 @@ function buildHeader() {
   const hertz = Number.isInteger(rate) ? rate : Number(rate.toFixed(2));
   const length = seconds >= 60 ? clockWord(seconds) : `${seconds.toFixed(1)} s`;
   $("facts").textContent = payload.source.facts ?? `${length} · ${frames.toLocaleString("en")} frames at ${hertz} Hz`;
-  $("title").textContent = payload.title;
-  $("lead").append(...payload.lead.map((piece) => (piece.chip ? chip(patterns.findIndex((p) => p.id === piece.chip)) : piece)));
   $("clock-of").textContent = `of ${clockWord(clip.seconds)}`;
 }
 
@@ -53,9 +51,7 @@ function buildControls() {
     $("app").classList.add("several-parts");
     $("tab-repeats").textContent = "Like now";
     $("tab-lesson").textContent = "Movements";
-    $("tab-symmetry").hidden = true;
   }
-  $("tab-symmetry").addEventListener("click", tellSymmetry);
   // A flat recording has one side.
   $("cameras").hidden = clip.flat;
   $("grid-note").hidden = clip.flat || !clip.metres;
@@ -101,10 +97,12 @@ new ResizeObserver(() => redraw("layout")).observe($("app"));
 new ResizeObserver(() => redraw("layout")).observe(stage.field);
 
 readHash();
+buildViews();
 buildHeader();
 buildControls();
 buildHelp();
 buildSaves();
+buildForms();
 buildTimeline();
 buildTable();
 buildLesson();
@@ -123,9 +121,14 @@ window.leitmotion = Object.freeze({
     return { ...cost };
   },
   get matrix() {
-    const { left, upper, side } = field;
-    return { left, upper, side };
+    const { left, upper, side, shown } = field;
+    return { left, upper, side, id: shown.id };
   },
+  // Where on the matrix a pair lies, px.
+  place: (one, two) => field.shown.shape.place(one, two),
+  // The moment whose posture is laid under that of a moment in the view of symmetry, and whether in the mirror.
+  mirrorMoment: (time) => symmetry && mirrorMoment(time),
+  compareSides: (one, two, mirrored) => symmetry && compareSides(one, two, mirrored),
   get timeline() {
     const { left, width } = timeline;
     return { left, width };

@@ -1,10 +1,25 @@
 // The matrix: every moment against every other. Bitmap, ticks and edge bars are drawn once per size, theme and choice.
 
-// A matrix has a title, cells and a legend; another one is added by another file that pushes it here.
+// How cells lie: where a cell is, which one is at a place, and the lines of a moment from edge to edge.
+const SQUARE = {
+  id: "square",
+  place: (one, two) => [xOf(two), yOf(one)],
+  cell: (x, y) => [y - field.upper, x - field.left].map((v) => (v / field.side) * clip.seconds),
+  cross: (time) => [[field.left - field.edge, yOf(time), field.left + field.side, yOf(time)], [xOf(time), field.upper - field.edge, xOf(time), field.upper + field.side]],
+  pair: (one, two) => [[field.left - field.edge, yOf(one), xOf(two), yOf(one)], [xOf(two), field.upper - field.edge, xOf(two), yOf(two)]],
+  draw: (pen) => pen.drawImage(bitmap, field.left, field.upper, field.side, field.side),
+  axes: drawAxes,
+};
+
+// A matrix has a title, cells and a legend, belongs to a view and a form, and may be black in both themes; another one
+// is added by another file that pushes it here. `foot` is what its legend needs beneath the cells.
 const matrices = [
-  { id: "distance", title: "Every moment against every other", paint: paintDistances, legend: distanceLegend },
+  {
+    id: "distance", view: "repeats", shape: SQUARE, title: "Every moment against every other", foot: 38, stripes: true,
+    cells: () => likeness.cells, paint: paintDistances, legend: distanceLegend,
+  },
 ];
-const field = { base: $("matrix-base"), top: $("matrix"), box: $("matrix-field"), left: 0, upper: 0, side: 0, shown: matrices[0] };
+const field = { base: $("matrix-base"), top: $("matrix"), box: $("matrix-field"), left: 0, upper: 0, side: 0, edge: 7, shown: matrices[0] };
 const bitmap = document.createElement("canvas");
 const TICKS = [0.1, 0.2, 0.5, 1, 2, 5, 10, 30, 60, 120, 300, 600, 1800, 3600];
 
@@ -39,7 +54,10 @@ function distanceLegend(legend) {
 }
 
 on("layout", () => {
-  const { cells } = likeness;
+  field.shown = matrices.find(({ view, shape }) => view === state.view && shape.id === state.form)
+    ?? matrices.find(({ view }) => view === state.view) ?? matrices[0];
+  field.edge = field.shown.black ? 0 : 7;
+  const cells = field.shown.cells();
   $("matrix-title").textContent = field.shown.title;
   bitmap.width = bitmap.height = cells;
   const pen = bitmap.getContext("2d");
@@ -50,7 +68,7 @@ on("layout", () => {
   const phone = innerWidth <= 760 && !state.printing;
   field.left = phone ? 46 : 51;
   field.upper = 55;
-  field.side = Math.max(60, Math.min(width - field.left - 12, height - field.upper - (phone ? 36 : 38)));
+  field.side = Math.max(60, Math.min(width - field.left - 12, height - field.upper - field.shown.foot + (phone ? 2 : 0)));
   field.shown.legend($("matrix-legend"));
   $("matrix-legend").style.left = (field.side < 260 ? 14 : field.left) + "px";
   $("matrix-legend").style.right = "auto";
@@ -60,10 +78,11 @@ on("change", () => {
   const pen = sized(field.base, field.box.clientWidth, field.box.clientHeight);
   pen.imageSmoothingEnabled = true;
   pen.imageSmoothingQuality = "high";
-  pen.drawImage(bitmap, field.left, field.upper, field.side, field.side);
-  drawAxes(pen);
-  drawEdgeBars(pen);
-  drawStripes(pen);
+  field.shown.shape.draw(pen);
+  field.shown.shape.axes(pen);
+  if (field.shown.shape === SQUARE) drawEdgeBars(pen);
+  if (field.shown.stripes) drawStripes(pen);
+  field.shown.over?.(pen);
 });
 
 function drawAxes(pen) {
@@ -139,57 +158,61 @@ on("frame", () => {
   else drawCross(pen, state.time);
 });
 
+// Ink and ground of what lies over the cells.
+const over = () => (field.shown.black ? { ink: "#ECEAE4", surface: "#101216" } : theme.tokens);
+
+function strokeLine(pen, [x0, y0, x1, y1]) {
+  pen.beginPath();
+  pen.moveTo(x0, y0);
+  pen.lineTo(x1, y1);
+  pen.stroke();
+}
+
 function drawCross(pen, time) {
-  const { ink } = theme.tokens;
-  const [x, y] = [xOf(time), yOf(time)];
-  pen.strokeStyle = ink;
+  const { shape } = field.shown;
+  pen.strokeStyle = over().ink;
   pen.globalAlpha = 0.55;
   pen.lineWidth = 1;
-  pen.beginPath();
-  pen.moveTo(field.left - 7, y);
-  pen.lineTo(field.left + field.side, y);
-  pen.moveTo(x, field.upper - 7);
-  pen.lineTo(x, field.upper + field.side);
-  pen.stroke();
+  for (const line of shape.cross(time)) strokeLine(pen, line);
   pen.globalAlpha = 1;
-  dotAt(pen, x, y, true);
+  dotAt(pen, ...shape.place(time, time), true);
 }
 
 // Moment 1 is the row, solid; moment 2 the column, dashed; both meet at the cell and stand on the diagonal.
 function drawPair(pen, { one, two }) {
-  const { ink } = theme.tokens;
-  const [x1, y1, x2, y2] = [xOf(one), yOf(one), xOf(two), yOf(two)];
+  const { ink, surface } = over();
+  const { shape } = field.shown;
+  const [first, second] = shape.pair(one, two);
+  const cell = shape.place(one, two);
   pen.strokeStyle = ink;
   pen.lineWidth = 1.2;
-  pen.beginPath();
-  pen.moveTo(field.left - 7, y1);
-  pen.lineTo(x2, y1);
-  pen.stroke();
+  strokeLine(pen, first);
   pen.setLineDash([4, 3]);
-  pen.beginPath();
-  pen.moveTo(x2, field.upper - 7);
-  pen.lineTo(x2, y2);
-  pen.stroke();
+  strokeLine(pen, second);
   pen.setLineDash([]);
-  dotAt(pen, x1, y1, true);
-  dotAt(pen, x2, y2, false);
+  dotAt(pen, ...shape.place(one, one), true);
+  dotAt(pen, ...shape.place(two, two), false);
   pen.lineWidth = 4;
-  pen.strokeStyle = theme.tokens.surface;
-  disc(pen, x2, y1, 6.5);
+  pen.strokeStyle = surface;
+  disc(pen, ...cell, 6.5);
   pen.stroke();
   pen.lineWidth = 1.8;
   pen.strokeStyle = ink;
   pen.stroke();
-  momentTag(pen, "1", one, field.left - 10, y1, true);
-  momentTag(pen, "2", two, x2, field.upper - 17, false);
+  if (shape !== SQUARE) {
+    tagsBelow(pen, one, two);
+    return;
+  }
+  momentTag(pen, "1", one, field.left - 10, cell[1], true);
+  momentTag(pen, "2", two, cell[0], field.upper - 17, false);
 }
 
 function dotAt(pen, x, y, solid) {
   disc(pen, x, y, 5.4);
-  pen.fillStyle = theme.tokens.surface;
+  pen.fillStyle = over().surface;
   pen.fill();
   disc(pen, x, y, solid ? 4 : 3.6);
-  pen.fillStyle = pen.strokeStyle = theme.tokens.ink;
+  pen.fillStyle = pen.strokeStyle = over().ink;
   pen.lineWidth = 1.6;
   if (solid) pen.fill();
   else pen.stroke();
@@ -200,9 +223,10 @@ function momentTag(pen, name, time, x, y, solid) {
   pen.font = `600 11.5px ${theme.font}`;
   const text = `${name} ${momentClock(time)}`;
   const width = pen.measureText(text).width + 12;
-  const left = clamp(solid ? x - width + 14 : x - width / 2, 1, field.box.clientWidth - width - 1);
+  const beside = solid && field.shown.shape === SQUARE;
+  const left = beside ? Math.max(1, field.left - 7 - width) : clamp(x - width / 2, 1, field.box.clientWidth - width - 1);
   pen.beginPath();
-  pen.roundRect(solid ? Math.max(1, field.left - 7 - width) : left, y - 9, width, 18, 5);
+  pen.roundRect(left, y - 9, width, 18, 5);
   pen.fillStyle = solid ? theme.tokens.ink : theme.tokens.surface;
   pen.fill();
   pen.strokeStyle = theme.tokens.ink;
@@ -211,5 +235,5 @@ function momentTag(pen, name, time, x, y, solid) {
   pen.fillStyle = solid ? theme.tokens.surface : theme.tokens.ink;
   pen.textAlign = "left";
   pen.textBaseline = "middle";
-  pen.fillText(text, (solid ? Math.max(1, field.left - 7 - width) : left) + 6, y + 0.5);
+  pen.fillText(text, left + 6, y + 0.5);
 }

@@ -15,7 +15,7 @@ on("frame", () => {
 function drawPanel() {
   panel.drawn = performance.now();
   const pair = pairOnShow();
-  const key = pair ? `${pair.one} ${pair.two}` : `${frameAt(state.time)}`;
+  const key = pair ? `${pair.one} ${pair.two} ${pair.mirrored}` : `${frameAt(state.time)}`;
   if (key !== panel.key) {
     panel.key = key;
     panel.element.classList.toggle("paired", Boolean(pair));
@@ -23,7 +23,8 @@ function drawPanel() {
     // On a phone the panel lies over the page, in the half that does not hold the cell.
     const box = field.top.getBoundingClientRect();
     if (pair) panel.element.classList.toggle("upper", box.top + yOf(pair.one) > innerHeight / 2);
-    panel.element.replaceChildren(pair ? twoMoments(pair) : mostLikeNow());
+    const idle = state.view === "symmetry" ? nowInTheMirror : mostLikeNow;
+    panel.element.replaceChildren(pair ? twoMoments(pair) : idle());
   }
   sayNow(pair);
 }
@@ -48,38 +49,43 @@ function mostLikeNow() {
 const fromPart = (time) => (several ? [document.createElement("br"), partOf(time).name] : []);
 
 function twoMoments(pair) {
-  const { distance, joints, farther } = compare(pair.one, pair.two);
+  const { distance, joints, farther } = comparePair(pair);
+  const mirrorView = state.view === "symmetry";
   const where = sharedPattern(pair.one, pair.two);
   const figures = [pair.one, pair.two].map((time, k) => {
     const canvas = document.createElement("canvas");
-    const colour = k ? (where === null ? theme.tokens.ink2 : patternColour(where)) : null;
+    const mirrored = Boolean(k && pair.mirrored);
+    const colour = mirrored ? theme.tokens.mirror : k ? (where === null ? theme.tokens.ink2 : patternColour(where)) : null;
     const narrow = innerWidth <= 1100 && !state.printing;
     const [height, width] = narrow ? [112, 80] : [clamp(stage.height * 0.36, 90, 150), 100];
-    drawSmall(sized(canvas, width, height), time, { x: width / 2, base: height - 4, height: height - 8, width: width - 2, colour });
-    return make("figure", "", [canvas, make("span", "", [make("b", "", String(k + 1)), ` ${momentClock(time)}`, ...fromPart(time)])]);
+    drawSmall(sized(canvas, width, height), time, { x: width / 2, base: height - 4, height: height - 8, width: width - 2, colour, mirrored });
+    const second = mirrored ? [document.createElement("br"), "mirrored"] : fromPart(time);
+    return make("figure", "", [canvas, make("span", "", [make("b", "", String(k + 1)), ` ${momentClock(time)}`, ...second])]);
   });
   const box = make("div", "two", [make("h2", "", "Two moments"), make("div", "both", figures)]);
   if (Number.isNaN(distance)) {
     box.append(make("p", "verdict", WORDS.unknown));
     return box;
   }
-  const number = make("b", "", (farther ? "> " : "") + apartNumber(distance));
-  box.append(make("p", "apart", [number, ` ${UNIT} ${WORDS.apart}`.replace(" °", "°")]));
+  const number = make("b", "", (farther ? "> " : "") + (mirrorView ? sidesNumber : apartNumber)(distance));
+  const unit = mirrorView ? symmetry.told.unit : UNIT;
+  box.append(make("p", "apart", [number, ` ${unit} ${WORDS.apart}`.replace(" °", "°")]));
   const verdict = make("p", "verdict");
-  if (where === null) verdict.append(WORDS.apartPatterns);
+  if (mirrorView) verdict.append(mirrorVerdict(pair));
+  else if (where === null) verdict.append(WORDS.apartPatterns);
   else verdict.append("Both in pattern ", chip(where), ". ", stripeNear(pair.one, pair.two, 40) ? WORDS.drag : "");
-  box.append(verdict, jointBars(joints));
+  box.append(verdict, mirrorView ? jointBars(joints, 0.2, (apart) => `${Math.round(apart * symmetry.told.factor)} ${unit}`.replace(/ of .*/, "")) : jointBars(joints));
   return box;
 }
 
 // The five joints that are farthest apart, as bars with whole numbers.
-function jointBars(joints) {
+function jointBars(joints, least = payload.distance.cap * 1.2, word = apartWhole) {
   const list = make("div", "joints", [], { role: "list" });
-  const top = joints.length ? Math.max(joints[0].apart, payload.distance.cap * 1.2) : 1;
+  const top = joints.length ? Math.max(joints[0].apart, least) : 1;
   for (const joint of joints.slice(0, 5)) {
     const bar = document.createElement("i");
     bar.style.width = Math.max((100 * joint.apart) / top, 2) + "%";
-    list.append(make("span", "", joint.word), bar, make("b", "", apartWhole(joint.apart)));
+    list.append(make("span", "", joint.word), bar, make("b", "", word(joint.apart)));
   }
   return list;
 }
@@ -103,6 +109,7 @@ function sayNow(pair) {
 }
 
 function nowSentence() {
+  if (state.view === "symmetry") return nowInTheMirrorSentence();
   const held = stretchAt(state.time);
   const [near] = nearestTo(state.time);
   const inside = held ? `, in ${patternName(held.pattern)}` : "";

@@ -15,7 +15,7 @@ function goTo(time) {
 function play() {
   if (state.playing) return;
   if (!state.held && state.take !== null) rewindTakes();
-  if (!state.held && state.pattern === null && state.time >= lastOf(state.time) - 1e-6) state.time = partOf(state.time).start;
+  if (!state.held && state.pattern === null && state.span === null && state.time >= lastOf(state.time) - 1e-6) state.time = partOf(state.time).start;
   if (state.held && state.stripe === null) {
     const near = stripeNear(state.time, state.second);
     if (near) holdAlong(near.stripe, near.step);
@@ -49,7 +49,8 @@ function advance(seconds) {
   if (state.held) {
     if (state.stripe !== null) walkStripe(seconds);
     else shiftPair(seconds);
-  } else if (state.take !== null) playTakes(seconds);
+  } else if (state.span !== null) loopSpan(seconds);
+  else if (state.take !== null) playTakes(seconds);
   else if (state.pattern !== null) loopPattern(seconds);
   else {
     const last = lastOf(state.time);
@@ -90,7 +91,7 @@ function choosePattern(p, stretch = null) {
   }
   const inside = stretchAt(state.time, p);
   state.pattern = p;
-  Object.assign(state, { take: null, held: false, second: null, stripe: null, hover: null });
+  Object.assign(state, { span: null, take: null, held: false, second: null, stripe: null, hover: null });
   state.loop = stretch ?? (inside ? inside.stretch : 0);
   if (stretch !== null || !inside) state.time = patterns[p].stretches[state.loop].start;
   keepHash();
@@ -160,9 +161,16 @@ on("change", () => {
   $("play-shape").setAttribute("d", state.playing ? "M4 3h3v10H4zM9 3h3v10H9z" : "M4.5 2.6v10.8L13 8z");
   for (const button of $("speeds").children) button.setAttribute("aria-pressed", Number(button.dataset.speed) === state.speed);
   const looping = $("looping");
-  looping.hidden = state.pattern === null;
-  $("hints").hidden = state.pattern !== null;
-  if (state.pattern === null) return;
+  const chosen = state.pattern !== null || state.span !== null;
+  looping.hidden = !chosen;
+  $("hints").hidden = chosen;
+  if (!chosen) return;
+  if (state.span !== null) {
+    const span = motifSpans[state.span];
+    const { name, spans } = symmetry.lanes[span.lane];
+    looping.replaceChildren("Looping ", ...(span.pattern === null ? [] : [chip(span.pattern), " "]), `${name}, ${span.number} of ${spans.length}`);
+    return;
+  }
   if (state.take !== null && several) {
     const [one, two] = [takeNow(), takesOf(state.pattern)[otherTake()]];
     looping.replaceChildren(chip(state.pattern), ` 1 ${partOf(one.start).name}${two ? `, 2 ${partOf(two.start).name}` : ""}`);

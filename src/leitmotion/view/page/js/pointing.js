@@ -6,11 +6,12 @@ const pointing = { down: null, dragged: false, along: null, touched: null };
 function cellUnder(event) {
   const box = field.top.getBoundingClientRect();
   const zoom = box.width / field.top.offsetWidth || 1;
-  const x = (event.clientX - box.left) / zoom - field.left;
-  const y = (event.clientY - box.top) / zoom - field.upper;
+  const x = (event.clientX - box.left) / zoom;
+  const y = (event.clientY - box.top) / zoom;
   const slack = pointing.down ? Infinity : 0;
-  if (x < -slack || y < -slack || x > field.side + slack || y > field.side + slack) return null;
-  const times = [x, y].map((v) => clamp((v / field.side) * clip.seconds, 0, clip.last));
+  const cell = field.shown.shape.cell(x, y);
+  if (cell.some((time) => time < -slack || time > clip.seconds + slack)) return null;
+  const times = cell.map((time) => clamp(time, 0, clip.last));
   return { one: Math.min(...times), two: Math.max(...times) };
 }
 

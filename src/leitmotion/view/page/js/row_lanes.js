@@ -5,7 +5,7 @@ const lanes = [];
 
 (() => {
   if (!patterns.length) {
-    timeRows.push({ order: 35, element: make("div", "row empty", make("p", "", payload.empty)) });
+    timeRows.push({ order: 35, views: ["repeats", "graph"], element: make("div", "row empty", make("p", "", payload.empty)) });
     return;
   }
   if (several) return;
@@ -17,6 +17,7 @@ const lanes = [];
   });
   timeRows.push({
     order: 30,
+    views: ["repeats", "graph"],
     element,
     layout() {
       element.style.maxHeight = lanes.length > LANES_SHOWN ? lanes[0].element.offsetHeight * LANES_SHOWN + "px" : "";

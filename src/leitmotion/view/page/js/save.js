@@ -10,8 +10,12 @@ function download(name, blob) {
   setTimeout(() => URL.revokeObjectURL(link.href), 10000);
 }
 
-function tableText() {
+function csv(lines) {
   const quote = (value) => (/[",\n]/.test(String(value)) ? `"${String(value).replaceAll('"', '""')}"` : String(value));
+  return lines.map((line) => line.map(quote).join(",")).join("\r\n") + "\r\n";
+}
+
+function tableText() {
   const lines = [["pattern", "name", ...(several ? ["recording"] : []), "stretch", "start_s", "stop_s", "cycles", "cycle_s", "confidence", "reason"]];
   for (const { pattern, stretch, k, cycles, cycle } of tableRows()) {
     const name = state.names[pattern.id] || "";
@@ -19,8 +23,10 @@ function tableText() {
     const times = [stretch.start, stretch.stop].map((time) => (time - part.start).toFixed(3));
     lines.push([pattern.id, name, ...(several ? [part.name] : []), k + 1, ...times, cycles, cycles ? cycle.toFixed(3) : "", pattern.confidence.toFixed(3), pattern.reason]);
   }
-  return lines.map((line) => line.map(quote).join(",")).join("\r\n") + "\r\n";
+  return csv(lines);
 }
+
+const isTable = () => (state.view === "symmetry" ? motifSpans : patterns).length > 0;
 
 // Flatten layers onto the surface, at the density at which they are drawn.
 function picture(name, ...layers) {
@@ -53,15 +59,21 @@ async function copyAddress() {
 
 const SAVES = [
   ["Copy the address of this view", copyAddress],
-  ["Table (CSV)", () => download(`${fileStem}-stretches.csv`, new Blob([tableText()], { type: "text/csv" }))],
+  ["Table (CSV)", () => {
+    const mirror = state.view === "symmetry";
+    download(`${fileStem}-${mirror ? "motifs" : "stretches"}.csv`, new Blob([mirror ? motifText() : tableText()], { type: "text/csv" }));
+  }],
   ["Figure (PNG)", () => picture("figure", stage.canvas)],
   ["Matrix (PNG)", () => picture("matrix", field.base, field.top)],
   ["Print or save as PDF", () => print()],
 ];
 
 function buildSaves() {
-  const offered = SAVES.filter(([name]) => patterns.length || !name.startsWith("Table"));
-  $("save-sheet").append(...offered.map(([name, act]) => menuButton(name, act)));
-  $("more-sheet").append(menuButton("How to read this", toggleHelp), ...offered.map(([name, act]) => menuButton(name, act)));
+  const offered = () => SAVES.map(([name, act]) => Object.assign(menuButton(name, act), { isTable: name.startsWith("Table") }));
+  $("save-sheet").append(...offered());
+  $("more-sheet").append(menuButton("How to read this", toggleHelp), ...offered());
+  on("layout", () => {
+    for (const id of ["save-sheet", "more-sheet"]) for (const button of $(id).children) button.hidden = Boolean(button.isTable) && !isTable();
+  });
   for (const id of ["save-sheet", "more-sheet"]) $(id).classList.add("menu");
 }

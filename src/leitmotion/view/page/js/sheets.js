@@ -7,6 +7,21 @@ const LESSONS = [
   ["A block: the body keeps still", []],
 ];
 
+const MIRROR_LESSONS = [
+  ["Cyan between the red: the sides alternate", [["M0 0 82 82", "#FF4C42"], ["M20 0 82 62", "#10C8D6"], ["M41 0 82 41", "#FF4C42"], ["M62 0 82 20", "#10C8D6"], ["M0 20 62 82", "#10C8D6"], ["M0 41 41 82", "#FF4C42"], ["M0 62 20 82", "#10C8D6"]]],
+  ["White: both sides move together", [["M0 0 82 82", "#FFFFFF"], ["M41 0 82 41", "#FFFFFF"], ["M0 41 41 82", "#FFFFFF"]]],
+  ["Lines across: out, and back the same way", [["M0 0 82 82", "#FF4C42"], ["M10 40 40 10", "#FF4C42"], ["M42 72 72 42", "#FF4C42"]]],
+];
+
+function mirrorLessons() {
+  return MIRROR_LESSONS.map(([text, lines]) => {
+    const shapes = lines.map(([d, colour]) => `<path d="${d}" stroke="${colour}" stroke-width="4"/>`).join("");
+    const box = make("div", "", [make("span", ""), make("p", "", text)]);
+    box.firstChild.innerHTML = `<svg class="black" viewBox="0 0 82 82" aria-hidden="true">${shapes}</svg>`;
+    return box;
+  });
+}
+
 function lessons() {
   return LESSONS.map(([text, lines], k) => {
     const picture = document.createElementNS(SVG, "svg");
@@ -27,7 +42,8 @@ function lessons() {
 
 const KEYS = [
   ["space", "play or pause"], ["← →", "one frame"], ["shift ← →", "one second"], ["A–H", "choose a pattern"],
-  ["L", several ? "the movements, or most like now" : "the lesson"], ["N P", "in it: next, previous"],
+  ...(several ? [] : [["M", "repeats or symmetry"]]),
+  ["L", several ? "the movements, or most like now" : "the lesson"], ["N P", symmetry ? "in it, and in symmetry: next, previous" : "in it: next, previous"],
   ...(several ? [["shift N P", "compare with the next, the previous"], ["S", "side by side or overlaid"], ["T", "in step, or each at its own pace"]] : []),
   ["R", "in it: loop this one"],
   ["Esc", "clear the choice or the pair"], ["[ ]", "slower, faster"], ["1 2 3 4", "camera"],
@@ -42,6 +58,14 @@ function buildHelp() {
   );
   $("lessons").append(...lessons());
 }
+
+on("layout", () => {
+  const shown = state.view === "symmetry" ? mirrorLessons : lessons;
+  for (const box of [$("lessons"), $("help-sheet").querySelector(".lessons")]) {
+    if (box.dataset.view !== state.view) box.replaceChildren(...shown());
+    box.dataset.view = state.view;
+  }
+});
 
 const sheets = { open: null };
 function openSheet(sheet, button) {

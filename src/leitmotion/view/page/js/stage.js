@@ -49,19 +49,20 @@ function variationOnShow(now) {
 
 // The moment that is laid under the figure: the second of a pair, else the one most like now.
 function ghostMoment(pair, now) {
-  if (pair) return { time: pair.two, pattern: pair.pattern ?? sharedPattern(pair.one, pair.two) };
+  if (pair) return { time: pair.two, mirrored: pair.mirrored, pattern: pair.pattern ?? sharedPattern(pair.one, pair.two) };
   if (!state.ghost) return null;
+  if (state.view === "symmetry") return { pattern: null, ...mirrorMoment(now) };
   const [found] = nearestTo(now);
   return found ? { time: found.time, pattern: sharedPattern(now, found.time) } : null;
 }
 
 function drawGhost(pen, camera, ghost, pair) {
-  postureAt(ghost.time, other);
+  imageAt(ghost.time, ghost.mirrored, other);
   placeOnto(posture, other, facingAt(shownTime()) - facingAt(ghost.time), placed);
   const layer = sized(ghostLayer, stage.width, stage.height);
-  const colour = ghost.pattern === null ? theme.tokens.ink2 : patternColour(ghost.pattern);
+  const colour = ghost.mirrored ? theme.tokens.mirror : ghost.pattern === null ? theme.tokens.ink2 : patternColour(ghost.pattern);
   drawFigure(layer, placed, camera, { colour });
-  pen.globalAlpha = pair ? 0.62 : 0.34;
+  pen.globalAlpha = pair || state.span !== null ? 0.62 : 0.34;
   pen.drawImage(ghostLayer, 0, 0, stage.width, stage.height);
   pen.globalAlpha = 1;
 }

@@ -4,6 +4,7 @@ const CAMERAS = ["room", "front", "side", "top"];
 const SPEEDS = [0.5, 1, 2];
 
 const state = {
+  view: "repeats", // which tab is shown
   time: 0, // seconds of moment 1
   second: null, // seconds of moment 2 while a pair is held
   held: false,
@@ -14,6 +15,11 @@ const state = {
   speed: 1,
   pattern: null, // index of the chosen pattern
   loop: 0, // which of its stretches plays
+  span: null, // index of the chosen stretch of a motif
+  pointed: null, // the one that is pointed at
+  form: "square", // how the matrix of symmetry is drawn
+  curve: null, // which curve is shown; null is the view's own
+  more: false, // whether the lanes of what merely comes again are shown
   lesson: false, // whether the lesson takes the panel's place
   take: null, // which time of the chosen pattern the lesson plays: 0 is the typical one
   repeat: several, // whether it plays that one again and again
@@ -35,8 +41,8 @@ const state = {
 
 // The pair on show: the one pointed at, else the held one, else none.
 function pairOnShow() {
-  if (state.hover) return state.hover;
-  return state.held ? { one: state.time, two: state.second } : null;
+  const pair = state.hover ?? (state.held ? { one: state.time, two: state.second } : null);
+  return pair && state.view === "symmetry" ? { ...pair, mirrored: isNearerMirrored(pair.one, pair.two) } : pair;
 }
 
 const shownTime = () => (state.hover ? state.hover.one : state.time);
@@ -72,9 +78,14 @@ const short = (value, digits = 2) => String(Number(value.toFixed(digits)));
 
 function writeHash() {
   const parts = new URLSearchParams();
+  if (state.view !== "repeats") parts.set("view", state.view);
   parts.set("t", short(state.time));
   if (state.held) parts.set("u", short(state.second));
   if (state.pattern !== null) parts.set("pattern", patterns[state.pattern].id);
+  if (state.span !== null) parts.set("span", String(state.span + 1));
+  if (state.form !== "square") parts.set("form", state.form);
+  if (state.curve !== null) parts.set("curve", state.curve);
+  if (state.more) parts.set("more", "1");
   if (state.lesson !== opensWithLesson) parts.set("lesson", state.lesson ? "1" : "0");
   if (state.take !== null) parts.set("take", String(state.take + 1));
   if (state.repeat !== several) parts.set("repeat", state.repeat ? "1" : "0");
@@ -104,21 +115,28 @@ function readHash(hash = location.hash) {
     const value = parts.has(key) ? Number(parts.get(key)) : NaN;
     return Number.isFinite(value) ? clamp(value, low, high) : fallback;
   };
+  state.view = views.some((view) => view.id === parts.get("view") && view.ready) ? parts.get("view") : "repeats";
   state.time = number("t", openingTime(), 0, clip.last);
   state.second = number("u", null, 0, clip.last);
   state.held = state.second !== null;
-  Object.assign(state, { hover: null, stripe: null, step: 0, bar: null });
+  Object.assign(state, { hover: null, stripe: null, step: 0, bar: null, pointed: null });
+  const span = number("span", null, 1, Math.max(motifSpans.length, 1));
+  state.span = state.view === "symmetry" && motifSpans.length && span !== null ? Math.round(span) - 1 : null;
+  state.form = parts.get("form") === "triangle" ? "triangle" : "square";
+  state.curve = curves.some((curve) => curve.id === parts.get("curve")) ? parts.get("curve") : null;
+  state.more = parts.get("more") === "1";
   const chosen = patterns.findIndex((p) => p.id === parts.get("pattern"));
-  state.pattern = chosen < 0 ? null : chosen;
+  state.pattern = chosen < 0 || state.span !== null ? null : chosen;
+  if (state.span !== null && !parts.has("t")) state.time = motifSpans[state.span].start;
   state.loop = chosen < 0 ? 0 : (stretchAt(state.time, chosen)?.stretch ?? 0);
-  const takes = chosen < 0 ? 0 : takesOf(chosen).length;
+  const takes = state.pattern === null || state.view !== "repeats" ? 0 : takesOf(chosen).length;
   const take = number("take", null, 1, Math.max(takes, 1));
   state.take = takes && take !== null ? Math.round(take) - 1 : null;
   const played = state.take === null ? null : takesOf(chosen)[state.take];
   const away = played && (state.time < played.start || state.time > played.stop);
   if (played && (!parts.has("t") || (several && away))) state.time = played.start;
   const asked = parts.has("lesson") ? parts.get("lesson") === "1" : opensWithLesson;
-  state.lesson = lessonSteps.length > 0 && (asked || state.take !== null);
+  state.lesson = state.view === "repeats" && lessonSteps.length > 0 && (asked || state.take !== null);
   state.repeat = parts.has("repeat") ? parts.get("repeat") === "1" : several;
   const other = number("other", null, 1, Math.max(takes, 1));
   state.other = several && takes && other !== null ? Math.round(other) - 1 : null;

@@ -50,6 +50,7 @@ function stripePath({ path, length }, scale) {
 
 // The stripe nearest to a pair and the step along it, within `reach` pixels; of the chosen pattern when one is.
 function stripeNear(one, two, reach = SNAP) {
+  if (!field.shown.stripes) return null;
   const scale = field.side / clip.seconds;
   let best = null;
   stripes.forEach((stripe, index) => {

@@ -17,16 +17,32 @@ function tableRows() {
   );
 }
 
+// Another view has another table; the notes belong to all.
+const tables = { repeats: patternTable, symmetry: motifTable };
+
 function buildTable() {
   const box = $("table");
   const notes = payload.notes.length
     ? [make("div", "notes", [make("h2", "", "Notes"), ...payload.notes.map((note) => make("p", "", note))])]
     : [];
-  if (!patterns.length) {
-    box.classList.add("nothing");
-    box.append(make("h2", "", "What was looked for"), make("p", "", payload.looked_for), ...notes);
-    return;
+  for (const [view, table] of Object.entries(tables)) {
+    if (view === "symmetry" && !symmetry) continue;
+    const part = table();
+    part.dataset.view = view;
+    box.append(part);
   }
+  box.append(...notes);
+}
+
+on("layout", () => {
+  const parts = [...$("table").querySelectorAll("[data-view]")];
+  const shown = parts.find((part) => part.dataset.view === state.view) ?? parts[0];
+  for (const part of parts) part.hidden = part !== shown;
+  $("table").classList.toggle("nothing", shown.tagName !== "TABLE");
+});
+
+function patternTable() {
+  if (!patterns.length) return make("div", "", [make("h2", "", "What was looked for"), make("p", "", payload.looked_for)]);
   const body = document.createElement("tbody");
   for (const { p, k, pattern, stretch, cycles, cycle } of tableRows()) {
     const button = chip(p, "button");
@@ -42,11 +58,11 @@ function buildTable() {
     body.append(row);
   }
   const head = make("thead", "", make("tr", "", COLUMNS.map((name) => make("th", "", name, { scope: "col" }))));
-  box.append(make("table", "", [head, body]), ...notes);
+  return make("table", "", [head, body]);
 }
 
 on("change", () => {
-  for (const button of $("table").querySelectorAll("button")) {
+  for (const button of $("table").querySelectorAll("button[data-stretch]")) {
     const [p, k] = button.dataset.stretch.split(" ").map(Number);
     button.style.setProperty("--c", patternToken(p));
     button.setAttribute("aria-label", stretchLabel(p, k));

@@ -1,6 +1,7 @@
 // The time line: rows that share one x scale, so that one vertical line is one moment.
 
-// A row is {order, element, layout(width)?, change?(), frame?()}; another one is added by another file that pushes it.
+// A row is {order, element, views?, layout(width)?, change?(), frame?()}, of all views where it names none; another one
+// is added by another file that pushes it.
 const timeRows = [];
 const timeline = { element: $("timeline"), left: 0, width: 0, marks: [], lines: [] };
 
@@ -32,9 +33,11 @@ on("layout", () => {
     timeline.marks.push(mark);
   }
   timeline.element.prepend(...timeline.marks);
-  for (const row of timeRows) row.layout?.(timeline.width, step);
+  for (const row of timeRows) row.element.hidden = !isRowShown(row);
+  for (const row of timeRows) if (isRowShown(row)) row.layout?.(timeline.width, step);
 });
-on("change", () => timeRows.forEach((row) => row.change?.()));
+const isRowShown = (row) => row.views?.includes(state.view) ?? true;
+on("change", () => timeRows.forEach((row) => isRowShown(row) && row.change?.()));
 on("frame", () => {
   const pair = pairOnShow();
   // Tags of two near moments stand side by side.
@@ -43,7 +46,7 @@ on("frame", () => {
   const push = (Math.max(0, TAG_WIDTH - Math.abs(near)) / 2) * (near < 0 ? -1 : 1);
   moveLine(0, shownTime(), two === null ? "" : "1 ", -push);
   moveLine(1, two, "2 ", push);
-  for (const row of timeRows) row.frame?.();
+  for (const row of timeRows) if (isRowShown(row)) row.frame?.();
 });
 
 const TAG_WIDTH = 64;

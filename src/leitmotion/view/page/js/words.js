@@ -33,6 +33,7 @@ const patternName = (p) => state.names[patterns[p].id] || `pattern ${patterns[p]
 
 // One sentence for those who hear the page.
 function pairSentence(pair) {
+  if (state.view === "symmetry") return mirrorSentence(pair);
   const { distance, farther } = compare(pair.one, pair.two);
   const where = sharedPattern(pair.one, pair.two);
   const moments = `Moments ${momentWord(pair.one)} and ${momentWord(pair.two)}`;

@@ -1,0 +1,372 @@
+"""The sentences of the Symmetry view: what a motif is called, what it looks like in the matrix, what was found.
+
+Conventions
+-----------
+A motif's plain name comes first, the thesis's term under it. The *chief* motifs tell how a movement treats the two
+sides; the others tell which posture or way comes again. A span that lies in a pattern is called by its letter.
+
+References
+----------
+Paper S, sections 3.2 to 3.5.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import NamedTuple
+
+from leitmotion.discovery import SymmetrySpan
+from leitmotion.view.counting import clock, count_word, plural, times_word
+from leitmotion.view.words import Chip, Lead, listed
+
+
+class Motif(NamedTuple):
+    """How a motif is told."""
+
+    name: str
+    """Plain."""
+
+    term: str
+    """The thesis's."""
+
+    field: str
+    """What stands between two marks, in the singular."""
+
+    sentence: str
+    """Of a span, with ``{it}`` for what moves, ``{when}`` for when its partner begins."""
+
+    picture: str
+    """How it looks in the matrix."""
+
+
+CHIEF = {
+    "anti_phase": Motif(
+        "Alternates sides", "anti-phase", "half-cycle",
+        "{it} alternates: half a cycle later the body is its own mirror image.",
+        "cyan stripes run midway between the red ones",
+    ),
+    "anti_palindrome": Motif(
+        "Alternates sides, out and back", "anti-palindrome", "way",
+        "{it} goes over to the other side: what follows is the mirror image of what was, backwards.",
+        "cyan lines cross the diagonal",
+    ),
+    "symmetric_palindrome": Motif(
+        "Both sides together, out and back", "symmetric palindrome", "way",
+        "{it} moves both sides together, and comes back the way it went.",
+        "white lines cross the diagonal",
+    ),
+    "symmetric_cycle": Motif(
+        "Both sides together, again and again", "symmetric cycle", "cycle",
+        "{it} moves both sides together, again and again.",
+        "red and cyan stripes lie on one another and make white",
+    ),
+    "symmetric_path": Motif(
+        "Both sides together", "symmetric path", "way",
+        "{it} moves both sides together.",
+        "the diagonal is white",
+    ),
+    "asymmetric_palindrome": Motif(
+        "One side, out and back", "asymmetric palindrome", "way",
+        "{it} favours one side, and comes back the way it went.",
+        "red lines cross the diagonal, with no cyan on them",
+    ),
+    "asymmetric_cycle": Motif(
+        "One side, again and again", "asymmetric cycle", "cycle",
+        "{it} favours one side, again and again.",
+        "red stripes run alone, with no cyan between them",
+    ),
+}  # fmt: skip
+"""Motifs that tell how the sides move together, in the order of their lanes."""
+
+OTHERS = {
+    "reflected_path_repetition": Motif(
+        "Again, sides exchanged", "reflected path repetition", "",
+        "This comes again at {when} with the sides exchanged.",
+        "a cyan stripe lies away from the diagonal",
+    ),
+    "path_reversal": Motif(
+        "Again, backwards", "path reversal", "",
+        "This comes again at {when}, backwards.",
+        "a red line runs across, from lower left to upper right",
+    ),
+    "path_repetition": Motif(
+        "Again, the same way", "path repetition", "",
+        "This comes again at {when}.",
+        "a red stripe lies away from the diagonal",
+    ),
+    "reflected_state_repetition": Motif(
+        "The mirrored posture again", "reflected state repetition", "",
+        "This posture comes again at {when}, as its mirror image.",
+        "a cyan spot lies away from the diagonal",
+    ),
+    "state_repetition": Motif(
+        "The same posture again", "state repetition", "",
+        "This posture comes again at {when}.",
+        "a red spot lies away from the diagonal",
+    ),
+    "stillness": Motif(
+        "Keeps still", "stillness", "",
+        "The body keeps still.",
+        "a block lies on the diagonal",
+    ),
+}  # fmt: skip
+"""The rest, in the order of their lanes."""
+
+TOLD = CHIEF | OTHERS
+FITS = {
+    "anti_phase": "its mirror image, half a cycle later",
+    "anti_palindrome": "its mirror image, backwards",
+    "asymmetric_cycle": "itself, a cycle later",
+    "asymmetric_palindrome": "itself, on the other way",
+    "reflected_path_repetition": "its mirror image, then",
+    "reflected_state_repetition": "its mirror image, then",
+    "path_reversal": "itself, then, backwards",
+    "path_repetition": "itself, then",
+    "state_repetition": "itself, then",
+}
+"""What is laid under the figure while such a stretch plays."""
+ALTERNATE = ("anti_phase", "anti_palindrome")
+TOGETHER = ("symmetric_palindrome", "symmetric_cycle", "symmetric_path")
+FAVOUR = ("asymmetric_palindrome", "asymmetric_cycle")
+HOLDS = (("alternate", ALTERNATE), ("together", TOGETHER), ("favour", FAVOUR))
+
+NOT_COMPUTED = "The symmetry of this recording was not computed."
+
+
+def kinds_of(motifs: dict[str, str]) -> dict[str, list[str]]:
+    """Sort patterns by how they treat the sides.
+
+    Parameters
+    ----------
+    motifs : dict
+        For each pattern's letter its chief motif.
+
+    Returns
+    -------
+    dict
+        Letters under "alternate", "together" and "favour".
+
+    Examples
+    --------
+    >>> kinds_of({"A": "anti_phase", "B": "symmetric_cycle"})
+    {'alternate': ['A'], 'together': ['B'], 'favour': []}
+    """
+    return {kind: [name for name, motif in motifs.items() if motif in held] for kind, held in HOLDS}
+
+
+def symmetry_title(spans: Sequence[SymmetrySpan], motifs: dict[str, str]) -> str:
+    """Say what was found, as the heading of the view.
+
+    Parameters
+    ----------
+    spans : sequence of SymmetrySpan
+        What was found.
+    motifs : dict
+        For each pattern's letter its chief motif.
+
+    Returns
+    -------
+    str
+        For example ``"Two ways of moving alternate sides"``.
+    """
+    ways = kinds_of(motifs)
+    found = {kind: [span for span in spans if span.motif in held] for kind, held in HOLDS}
+    if len(ways["alternate"]) > 1:
+        return f"{count_word(len(ways['alternate'])).capitalize()} ways of moving alternate sides"
+    if ways["alternate"]:
+        return "One way of moving alternates sides"
+    if found["alternate"]:
+        return f"The sides alternate, {times_word(_stretches(found['alternate']))}"
+    if found["together"]:
+        return "Both sides move together"
+    if found["favour"]:
+        return "No side mirrors the other"
+    if any(span.motif.startswith("reflected") for span in spans):
+        return "The mirror image comes back"
+    return "No symmetry shows here"
+
+
+def symmetry_lead(spans: Sequence[SymmetrySpan], motifs: dict[str, str]) -> Lead:
+    """Say in one line which pattern treats the sides how, or how often what no pattern holds was found.
+
+    Parameters
+    ----------
+    spans : sequence of SymmetrySpan
+        What was found.
+    motifs : dict
+        For each pattern's letter its chief motif.
+
+    Returns
+    -------
+    tuple of str and Chip
+        The pieces of the line, in order.
+    """
+    ways = kinds_of(motifs)
+    pieces: list[str | Chip] = []
+    verbs = {
+        "alternate": (" returns as its own mirror image", " return as their own mirror image"),
+        "together": (" moves both sides together", " move both sides together"),
+        "favour": (" favours one side", " favour one side"),
+    }
+    for kind, letters in ways.items():
+        if letters:
+            pieces += (
+                ([_ending(pieces)] if pieces else []) + listed(letters) + [verbs[kind][len(letters) > 1]]
+            )
+    if pieces:
+        return _joined([*pieces, "."])
+    counts = {kind: _stretches([s for s in spans if s.motif in held]) for kind, held in HOLDS}
+    words = {"alternate": "they alternate", "together": "they move together", "favour": "one leads"}
+    told = [f"{words[kind]} in {plural(count, 'stretch')}" for kind, count in counts.items() if count]
+    if told:
+        return ("; ".join(told)[0].upper() + "; ".join(told)[1:] + ".",)
+    return ("No stretch was clear enough to say how the two sides move together.",)
+
+
+def span_sentence(span: SymmetrySpan, rate: float) -> tuple[str, str]:
+    """Say what a stretch is, and how that looks in the matrix.
+
+    Parameters
+    ----------
+    span : SymmetrySpan
+        The stretch.
+    rate : float
+        Frames per second of it.
+
+    Returns
+    -------
+    str
+        The sentence, with ``{it}`` where the pattern's name stands; empty of that where it has none.
+    str
+        "In the matrix, …".
+    """
+    told = TOLD[span.motif]
+    when = clock(span.partner[0] / rate) if span.partner else ""
+    return told.sentence.replace("{when}", when), f"In the matrix, {told.picture}."
+
+
+def lane_words(motif: str, spans: Sequence[SymmetrySpan]) -> tuple[str, str]:
+    """Name a lane: the plain name, and the thesis's term.
+
+    Parameters
+    ----------
+    motif : str
+        Of the lane.
+    spans : sequence of SymmetrySpan
+        What it shows.
+
+    Returns
+    -------
+    tuple of str
+        For example ``("Alternates sides", "anti-phase cycle")``.
+    """
+    told = TOLD[motif]
+    goes_on = all(span.cyclic for span in spans) and not told.term.endswith("cycle") and motif in CHIEF
+    return (
+        told.name,
+        f"{told.term} cycle" if goes_on and motif == "anti_phase" else f"{told.term}{', cyclic' * goes_on}",
+    )
+
+
+def span_tip(span: SymmetrySpan, rate: float, letter: str = "") -> str:
+    """Say all there is about a stretch, in the line that stands beside its bar.
+
+    Parameters
+    ----------
+    span : SymmetrySpan
+        The stretch.
+    rate : float
+        Frames per second of it.
+    letter : str
+        Of the pattern that it lies in.
+
+    Returns
+    -------
+    str
+        For example ``"A, alternates sides · 0:33.9 to 0:38.1 · 4 half-cycles of 0.62 s · confidence 0.82: …"``.
+    """
+    told = TOLD[span.motif]
+    parts = [
+        (f"{letter}, " if letter else "") + (told.name[0].lower() if letter else told.name[0]) + told.name[1:]
+    ]
+    parts.append(f"{clock(span.start / rate)} to {clock(span.stop / rate)}")
+    if span.partner:
+        parts.append(f"and {clock(span.partner[0] / rate)} to {clock(span.partner[1] / rate)}")
+    count = len(span.marks) - 1
+    if told.field and count > 0:
+        parts.append(
+            f"{plural(count, told.field)} of {float(span.marks[-1] - span.marks[0]) / count / rate:.2f} s"
+        )
+    reason = f": {span.reason.rstrip('.')}" if span.reason else ""
+    return " · ".join([*parts, f"confidence {span.confidence:.2f}{reason}"])
+
+
+def span_name(span: SymmetrySpan, rate: float, letter: str, k: int, count: int) -> str:
+    """Name a stretch for someone who hears the page.
+
+    Parameters
+    ----------
+    span : SymmetrySpan
+        The stretch.
+    rate : float
+        Frames per second of it.
+    letter : str
+        Of the pattern that it lies in.
+    k, count : int
+        Which of its lane's, from 0, and of how many.
+
+    Returns
+    -------
+    str
+        For example ``"Alternates sides, pattern A, 1 of 3, 0.7 to 4.1 seconds"``.
+    """
+    within = f", pattern {letter}" if letter else ""
+    where = f"{span.start / rate:.1f} to {span.stop / rate:.1f} seconds"
+    again = (
+        f", and {span.partner[0] / rate:.1f} to {span.partner[1] / rate:.1f} seconds" if span.partner else ""
+    )
+    return f"{TOLD[span.motif].name}{within}, {k + 1} of {count}, {where}{again}"
+
+
+def half_alike(degrees: float) -> str:
+    """Say what the strength of the colours means.
+
+    Parameters
+    ----------
+    degrees : float
+        Turn of every link at which two postures are half alike.
+
+    Returns
+    -------
+    str
+        For example ``"half alike at 8° a link"``.
+
+    Examples
+    --------
+    >>> half_alike(8.45)
+    'half alike at 8° a link'
+    """
+    return f"half alike at {degrees:.0f}° a link"
+
+
+def _stretches(spans: Sequence[SymmetrySpan]) -> int:
+    """How many stretches they are, those that overlap counted once."""
+    count, reach = 0, -1
+    for start, stop in sorted((span.start, span.stop) for span in spans):
+        count += start >= reach
+        reach = max(reach, stop)
+    return count
+
+
+def _ending(pieces: Sequence[str | Chip]) -> str:
+    return ". " if pieces and str(pieces[-1]).endswith("mirror image") else ", "
+
+
+def _joined(pieces: Sequence[str | Chip]) -> Lead:
+    joined: list[str | Chip] = []
+    for piece in pieces:
+        if joined and isinstance(piece, str) and isinstance(joined[-1], str):
+            joined[-1] += piece
+        else:
+            joined.append(piece)
+    return tuple(joined)
