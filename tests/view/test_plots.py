@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from matplotlib.colors import to_hex
 from matplotlib.figure import Figure
-from matplotlib.patches import Polygon, Rectangle
+from matplotlib.patches import Rectangle
 
 from leitmotion.body import ANALYSIS_ROLES, Body
 from leitmotion.discovery import Pattern, PatternPair, Patterns
@@ -167,8 +167,9 @@ def test_no_pattern_is_a_sentence():
 
 def test_right_is_filled_and_left_is_hollow():
     figure = plot_figures(person(), [0])
-    edges = [to_hex(p.get_edgecolor()).upper() for p in figure.axes[0].patches if isinstance(p, Polygon)]
-    faces = [to_hex(p.get_facecolor()).upper() for p in figure.axes[0].patches]
+    (painted,) = figure.axes[0].collections
+    edges = [to_hex(colour).upper() for colour in painted.get_edgecolor()]
+    faces = [to_hex(colour).upper() for colour in painted.get_facecolor()]
     assert edges.count(LIGHT.left) == 4
     assert faces.count(LIGHT.ink) == 4
 

@@ -2,6 +2,7 @@
 
 from leitmotion.view.calibration import plot_calibration
 from leitmotion.view.curves import plot_dynamics
+from leitmotion.view.graph import plot_graph
 from leitmotion.view.graph_text import graph_document, graphml
 from leitmotion.view.lanes import plot_shared_patterns
 from leitmotion.view.payload import page_payload
@@ -17,6 +18,7 @@ __all__ = [
     "plot_calibration",
     "plot_dynamics",
     "plot_figures",
+    "plot_graph",
     "plot_matrix",
     "plot_patterns",
     "plot_shared_patterns",

@@ -21,7 +21,7 @@ from leitmotion.similarity import SimilarityMatrix
 from leitmotion.view.counting import clock
 from leitmotion.view.distances import Told, distance_cap, how_told
 from leitmotion.view.palette import Theme, colour_of, mixed, theme_named
-from leitmotion.view.stick_figures import Shape, figure_shapes
+from leitmotion.view.stick_figures import figure_shapes, paint_figure
 from leitmotion.view.words import lane_head
 
 if TYPE_CHECKING:
@@ -37,7 +37,7 @@ TICKS_S = (0.1, 0.2, 0.5, 1, 2, 5, 10, 30, 60, 120, 300, 600)
 UNCERTAIN = 0.5
 SMALL, BODY, TITLE = 8.0, 9.0, 11.0
 LANE, HEAD, DIGIT = 0.36, 1.6, 0.13  # inches: height of a lane, width of its head, room for a cycle's number
-HALO, OUTLINE, CAPTION = 0.7, 0.9, 0.24  # points, points, inches
+CAPTION = 0.24  # inches
 
 
 def plot_matrix(
@@ -234,7 +234,7 @@ def plot_figures(
     axes.set(xlim=(-half, (2 * len(chosen) - 1) * half), ylim=(low, high))
     axes.axis("off")
     for k, (shapes, word) in enumerate(zip(drawn, words, strict=True)):
-        _paint(axes, shapes, 2 * half * k, 72 * scale, colours)
+        paint_figure(axes, shapes, (2 * half * k, 0.0), (1.0, 1.0), 72 * scale, colours)
         middle = (2 * k + 1) / (2 * len(chosen))
         figure.text(middle, 0.06 / height, word, ha="center", fontsize=SMALL, color=colours.ink2)
     return figure
@@ -377,26 +377,3 @@ def _label_lane(axes: Axes, lane: int, labels: Segmentation, colours: Theme) -> 
         written = axes.annotate(word, (at, lane + 0.5), color=colours.ink2, **place)
         if written.get_window_extent().x1 > axes.transData.transform((end, 0))[0]:
             written.remove()
-
-
-def _paint(
-    axes: Axes, shapes: Sequence[Shape], right: float, points_per_metre: float, colours: Theme
-) -> None:
-    """Paint a figure from far to near, each part on a halo that keeps crossings readable."""
-    from matplotlib.patches import Polygon
-
-    styles: dict[str, dict[str, Any]] = {
-        "right": {"fc": colours.ink, "ec": "none"},
-        "left": {"fc": mixed(colours.left, 0.1, colours.surface), "ec": colours.left},
-        "middle": {"fc": mixed(colours.ink, 0.66, colours.surface), "ec": "none"},
-    }
-    for order, shape in enumerate(shapes):
-        style = dict(styles[shape.side])
-        width = OUTLINE if shape.side == "left" else 0.0
-        if shape.stroke:
-            style["ec"], width = style["fc"], shape.stroke * points_per_metre
-        halo: dict[str, Any] = {"fc": colours.surface, "ec": colours.surface, "lw": width + 2 * HALO}
-        outline = np.add(shape.outline, (right, 0))
-        if shape.parted:
-            axes.add_patch(Polygon(outline, joinstyle="round", zorder=order, **halo))
-        axes.add_patch(Polygon(outline, joinstyle="round", zorder=order + 0.5, lw=width, **style))

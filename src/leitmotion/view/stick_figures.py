@@ -1,4 +1,4 @@
-"""Shapes of a stick figure: what a posture looks like from the front, a little to its left, as flat outlines.
+"""Stick figures: what a posture looks like from the front, a little to its left, as flat outlines, and their painting.
 
 Conventions
 -----------
@@ -8,12 +8,17 @@ viewer's right and up; the pelvis stands at 0 across. Shapes come in the order t
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from leitmotion.body import Body
+from leitmotion.body import Body, mirror_role
+from leitmotion.view.palette import Theme, mixed
 from leitmotion.view.payload import FULL_SIZE
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
 
 SEEN_FROM = 0.45  # radians to the left of the body's front
 LIMBS = (
@@ -27,6 +32,7 @@ LIMBS = (
 TORSO_STROKE, DOT = 0.125, 0.018
 HEAD, HEAD_ABOVE_NECK = (0.095, 0.122), (0.19, 0.25)
 ARC = np.linspace(0, 2 * np.pi, 49)
+HALO, OUTLINE = 0.7, 0.9  # points
 
 
 class Shape(NamedTuple):
@@ -44,7 +50,7 @@ class Shape(NamedTuple):
     """Whether a halo sets it apart from what is behind it."""
 
 
-def figure_shapes(body: Body, frame: int) -> list[Shape]:
+def figure_shapes(body: Body, frame: int, *, mirrored: bool = False) -> list[Shape]:
     """Outline a posture.
 
     Parameters
@@ -53,6 +59,8 @@ def figure_shapes(body: Body, frame: int) -> list[Shape]:
         Points with roles; without roles each point is a dot.
     frame : int
         Which moment.
+    mirrored : bool
+        Whether its mirror image is outlined.
 
     Returns
     -------
@@ -65,7 +73,7 @@ def figure_shapes(body: Body, frame: int) -> list[Shape]:
     >>> [shape.side for shape in figure_shapes(arm, 0)]
     ['right']
     """
-    seen = _seen(body, frame)
+    seen = _seen(body, frame, mirrored)
     girth = body.size / FULL_SIZE
     shapes = []
     for side in ("left", "right"):
@@ -80,7 +88,70 @@ def figure_shapes(body: Body, frame: int) -> list[Shape]:
     return sorted(shapes, key=lambda shape: shape.depth)
 
 
-def _seen(body: Body, frame: int) -> dict[str, np.ndarray]:
+def paint_figure(
+    axes: Axes,
+    shapes: Sequence[Shape],
+    place: tuple[float, float],
+    per_metre: tuple[float, float],
+    points_per_metre: float,
+    colours: Theme,
+    *,
+    fade: float = 0.0,
+    order: float = 1.0,
+) -> None:
+    """Paint a figure from far to near, each part on a halo that keeps crossings readable.
+
+    Parameters
+    ----------
+    axes : Axes
+        Where.
+    shapes : sequence of Shape
+        The posture, far parts first.
+    place : (float, float)
+        Where its pelvis' foot point stands, in the units of the axes.
+    per_metre : (float, float)
+        Units of the axes a metre, right and up.
+    points_per_metre : float
+        The same in points, for borders.
+    colours : Theme
+        Of which theme.
+    fade : float
+        How far it is mixed into the surface, 0 to 1.
+    order : float
+        How high it is stacked.
+    """
+    from matplotlib.collections import PolyCollection
+
+    def tone(colour: str, share: float = 1.0) -> Any:
+        return mixed(colour, share * (1 - fade), colours.surface)
+
+    ink, left, trunk = tone(colours.ink), tone(colours.left), tone(colours.ink, 0.66)
+    fills = {"right": ink, "left": tone(colours.left, 0.1), "middle": trunk}
+    outlines, faces, edges, widths = [], [], [], []
+    for shape in shapes:
+        outline = np.add(shape.outline * per_metre, place)
+        width = OUTLINE if shape.side == "left" else 0.0
+        edge = left if shape.side == "left" else fills[shape.side]
+        if shape.stroke:
+            edge, width = fills[shape.side], shape.stroke * points_per_metre
+        layers = [(fills[shape.side], edge, width)]
+        if shape.parted:
+            surface = mixed(colours.surface, 1.0, colours.surface)
+            layers.insert(0, (surface, surface, width + 2 * HALO))
+        for face, border, wide in layers:
+            outlines.append(outline)
+            faces.append(face)
+            edges.append(border)
+            widths.append(wide)
+    axes.add_collection(
+        PolyCollection(
+            outlines, facecolors=faces, edgecolors=edges, linewidths=widths, joinstyle="round", zorder=order
+        ),
+        autolim=False,
+    )
+
+
+def _seen(body: Body, frame: int, mirrored: bool) -> dict[str, np.ndarray]:
     """Place the seen points before the viewer: right, up, toward; the pelvis at 0."""
     points = np.zeros((len(body.roles), 3))
     points[:, : body.positions.shape[2]] = body.positions[frame]
@@ -90,11 +161,14 @@ def _seen(body: Body, frame: int) -> dict[str, np.ndarray]:
     has_pelvis = "pelvis" in body.roles and known[body.roles.index("pelvis")]
     root = points[body.roles.index("pelvis")] if has_pelvis else points[known].mean(axis=0)
     x, y, z = (points - root * [1, 0, 1]).T
+    hand = -1.0 if mirrored else 1.0
+    x = hand * x
     if body.positions.shape[2] == 3:
-        turn = body.facing[frame] + SEEN_FROM
+        turn = hand * body.facing[frame] + SEEN_FROM
         x, z = np.cos(turn) * x - np.sin(turn) * z, np.sin(turn) * x + np.cos(turn) * z
     placed = np.stack([x, y, z], axis=1)
-    return {role: placed[k] for k, role in enumerate(body.roles) if known[k]}
+    called = [mirror_role(role) if mirrored else role for role in body.roles]
+    return {role: placed[k] for k, role in enumerate(called) if known[k]}
 
 
 def _trunk(seen: dict[str, np.ndarray], girth: float) -> list[Shape]:
