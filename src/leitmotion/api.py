@@ -18,7 +18,7 @@ from leitmotion.body import Body, BodyMap, Dynamics, Flight, embody, find_roles,
 from leitmotion.body import dynamics as compute_dynamics
 from leitmotion.body import swap_sides as exchanged
 from leitmotion.calibration import Calibration, calibrate
-from leitmotion.comparing import Mirrored, compare_with_mirror
+from leitmotion.comparing import Mirrored, compare, compare_with_mirror
 from leitmotion.conversion import Converted, convert
 from leitmotion.datasets import compose_session
 from leitmotion.describing import Recording, Roles, as_body, described, of_body, weighed
@@ -87,6 +87,7 @@ __all__ = [
     "SymmetrySpan",
     "Trajectories",
     "calibrate",
+    "compare",
     "compare_with_mirror",
     "compose_session",
     "convert",

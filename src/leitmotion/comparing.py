@@ -1,15 +1,30 @@
-"""Compare a recording with its own mirror image: features, bias and double metric in one call."""
+"""Compare a recording with itself, with another, or with its own mirror image, in one call."""
 
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from typing import NamedTuple
 
 from leitmotion.body import mirror_role
-from leitmotion.describing import Recording, Roles, known_weights
-from leitmotion.features import SideBias, active_weights, averaged, extract, side_bias, without_bias
-from leitmotion.motion import ParameterError
-from leitmotion.similarity import DoubleMetric, double_metric
+from leitmotion.describing import Recording, Roles, described, known_weights, only, weighed
+from leitmotion.features import (
+    FeatureSequence,
+    SideBias,
+    active_weights,
+    averaged,
+    extract,
+    side_bias,
+    without_bias,
+)
+from leitmotion.motion import DataError, ParameterError
+from leitmotion.similarity import (
+    DoubleMetric,
+    SimilarityMatrix,
+    cross_distance,
+    double_metric,
+    self_distance,
+)
 
 COMPARED_RATE = 30.0
 """Moments per second that are compared."""
@@ -27,10 +42,66 @@ class Mirrored(NamedTuple):
     """D and D* of the moments that were compared, with the β of their likeness."""
 
     every: int
-    """A moment is so many frames of the recording."""
+    """So many frames of the recording are a moment."""
 
     bias: SideBias | None
     """The bias of the sides that was taken out; None where none was."""
+
+
+def compare(
+    recording: Recording,
+    other: Recording | None = None,
+    *,
+    features: str = "posture",
+    weights: str = "equal",
+    joints: str | Sequence[str] | None = None,
+    exclude: str | Sequence[str] | None = None,
+    body_map: Roles | None = None,
+    other_map: Roles | None = None,
+) -> SimilarityMatrix:
+    """Compare every moment of a recording with every other, or with every moment of another (paper P, eq. 2).
+
+    Parameters
+    ----------
+    recording : Motion, Trajectories or Body
+        One person.
+    other : Motion, Trajectories or Body, optional
+        Another, of whom the same joints are compared, those that both have.
+    features, weights, joints, exclude
+        As for :func:`leitmotion.find_patterns`. Two recordings are compared with equal weights only.
+    body_map, other_map : BodyMap or mapping of str, optional
+        Which joints or markers stand for which role, when the names do not tell.
+
+    Returns
+    -------
+    SimilarityMatrix
+        Rows are moments of `recording`, about 30 a second, fewer of one that is long: a moment is the frame at
+        ``recording.rate / matrix.row_rate`` times its number.
+
+    Raises
+    ------
+    ParameterError
+        When a role, the features or the weights are unknown, or do not fit.
+    DataError
+        When nothing tells how large a body is, or two recordings share no joint.
+
+    Examples
+    --------
+    >>> import leitmotion as lm
+    >>> session = lm.compose_session(seed=0, rate=30.0).motion
+    >>> lm.compare(session[:90], session[:60]).values.shape
+    (90, 60)
+    """
+    told = described(recording, features, joints=joints, exclude=exclude, body_map=body_map)
+    if other is None:
+        return self_distance(_thinned(weighed(told, weights)))
+    if known_weights(weights) != "equal":
+        raise ParameterError("Two recordings are compared with equal weights.")
+    beside = described(other, features, joints=joints, exclude=exclude, body_map=other_map)
+    common = tuple(name for name in told.names if name in beside.names)
+    if not common:
+        raise DataError("The two recordings share no joint to compare.")
+    return cross_distance(_thinned(only(told, common)), _thinned(only(beside, common)))
 
 
 def compare_with_mirror(
@@ -90,7 +161,15 @@ def compare_with_mirror(
     if weights == "active":
         own = active_weights(chain)
         shares = (own + own[[chain.names.index(mirror_role(name)) for name in chain.names]]) / 2
-    drawn = max(1, round(chain.rate / COMPARED_RATE))
-    every = drawn * math.ceil(len(chain) / drawn / MOST_MOMENTS)
-    chain = averaged(chain, SPREAD_S)
-    return Mirrored(double_metric(chain[::every], metric=metric, weights=shares, beta=beta), every, taken)
+    moments, every = _thinned(averaged(chain, SPREAD_S)), _every(chain)
+    return Mirrored(double_metric(moments, metric=metric, weights=shares, beta=beta), every, taken)
+
+
+def _thinned(features: FeatureSequence) -> FeatureSequence:
+    return features[:: _every(features)]
+
+
+def _every(features: FeatureSequence) -> int:
+    """How many frames a moment is."""
+    drawn = max(1, round(features.rate / COMPARED_RATE))
+    return drawn * max(1, math.ceil(len(features) / drawn / MOST_MOMENTS))

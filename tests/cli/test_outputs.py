@@ -28,6 +28,8 @@ def calls(run: Run, made: Path) -> dict[str, tuple[object, ...]]:
     run("patterns", made / "jacks.bvh", "-o", "found.json")
     return {
         "info": ("info", made / "jacks.bvh"),
+        "similarity": ("similarity", made / "jacks.bvh"),
+        "mirror": ("similarity", made / "jacks.bvh", "--symmetry"),
         "patterns": ("patterns", made / "jacks.bvh"),
         "lesson": ("patterns", made / "jacks.bvh", "--lesson"),
         "across": ("patterns", made / "jacks.bvh", made / "once.bvh", "--across"),
@@ -57,7 +59,9 @@ def test_a_file_of_somebody_stays_unless_by_force_and_our_own_is_replaced(
     assert Path(name).read_bytes() == written
 
 
-@pytest.mark.parametrize("verb", ["info", "lesson", "across", "calibrate", "evaluate"])
+@pytest.mark.parametrize(
+    "verb", ["info", "similarity", "mirror", "lesson", "across", "calibrate", "evaluate"]
+)
 @pytest.mark.parametrize("ending", [".csv", ".json"])
 def test_every_verb_keeps_the_rule(
     run: Run, calls: dict[str, tuple[object, ...]], verb: str, ending: str

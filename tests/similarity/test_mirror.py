@@ -16,6 +16,7 @@ from leitmotion.similarity import (
     still_spans,
 )
 from leitmotion.similarity.mirror import LEAST, MIRROR_METRICS, MOST
+from leitmotion.view import plot_symmetry
 from oracles import body as oracle
 from oracles import mirror as twin
 
@@ -167,6 +168,25 @@ def test_stillness_is_a_span_of_moments_alike():
     assert found.own[start:stop, start:stop].max() < 0.02
     assert stop == len(found)
     assert 100 < start <= 120
+
+
+def test_what_is_unseen_is_neither_still_nor_slow():
+    chain = kinematic_chain(swinging(0.8, still_s=3.0))
+    gaps = chain.values.copy()
+    gaps[200:215] = np.nan
+    gaps[280:] = np.nan
+    whole, found = (
+        double_metric(chain.replace(values=values), metric="geodesic", beta=np.log(2) / 0.02)
+        for values in (chain.values, gaps)
+    )
+    speed = axis_speed(found)
+    assert np.isnan(speed[200:215]).all()
+    assert np.isnan(speed[280:]).all()
+    assert np.isfinite(speed[215:280]).all()
+    assert np.allclose(speed[:90], axis_speed(whole)[:90])
+    (first, *_), *_ = still_spans(whole)
+    assert [(start, stop) for start, stop, _, _ in still_spans(found)] == [(first, 200), (215, 280)]
+    plot_symmetry(found, form="triangle")
 
 
 def test_beta_is_bounded_and_knows_no_rate(chain):

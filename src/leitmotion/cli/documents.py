@@ -24,6 +24,8 @@ from typing import TYPE_CHECKING, Any
 from leitmotion import __version__
 
 if TYPE_CHECKING:
+    import numpy as np
+
     from leitmotion.api import Calibration, Info, Patterns, Repaired, Residual, Segmentation
     from leitmotion.cli.failures import Failure
     from leitmotion.cli.inputs import Input
@@ -127,7 +129,7 @@ def stretch(start: int, stop: int, *, rate: float, label: str = "", score: float
         "start_s": round(start / rate, SECONDS_DIGITS),
         "stop_s": round(stop / rate, SECONDS_DIGITS),
         "label": label,
-        "score": _decimals(score, SCORE_DIGITS),
+        "score": decimals(score, SCORE_DIGITS),
     }
 
 
@@ -141,9 +143,9 @@ def patterns_result(found: Patterns) -> Document:
                 "kind": pattern.kind,
                 "occurrences": _stretches(pattern.occurrences, pattern.id),
                 "cycles": pattern.cycles,
-                "period_s": _decimals(pattern.period_s, SECONDS_DIGITS),
-                "cost": _decimals(pattern.cost, COST_DIGITS),
-                "confidence": _decimals(pattern.confidence, SCORE_DIGITS),
+                "period_s": decimals(pattern.period_s, SECONDS_DIGITS),
+                "cost": decimals(pattern.cost, COST_DIGITS),
+                "confidence": decimals(pattern.confidence, SCORE_DIGITS),
                 "reason": pattern.reason,
                 "stretches": _stretches(pattern.stretches, pattern.id),
             }
@@ -154,7 +156,7 @@ def patterns_result(found: Patterns) -> Document:
                 "pattern": pair.pattern,
                 "a": stretch(*pair.a, rate=rate, label=pair.pattern),
                 "b": stretch(*pair.b, rate=rate, label=pair.pattern),
-                "cost": _decimals(pair.cost, COST_DIGITS),
+                "cost": decimals(pair.cost, COST_DIGITS),
             }
             for pair in found.pairs
         ],
@@ -171,7 +173,7 @@ def residual_result(missed: Residual) -> Document:
                 {
                     "a": stretch(*candidate.a, rate=rate),
                     "b": stretch(*candidate.b, rate=rate),
-                    "correlation": _decimals(candidate.correlation, SCORE_DIGITS),
+                    "correlation": decimals(candidate.correlation, SCORE_DIGITS),
                 }
                 for candidate in missed.candidates
             ],
@@ -185,18 +187,18 @@ def calibrate_result(found: Calibration, *, measured_in: str) -> Document:
     """Make the result of the verb `calibrate`."""
     check = found.check
     return {
-        "threshold": _decimals(found.threshold, COST_DIGITS),
-        "threshold_interval": [_decimals(end, COST_DIGITS) for end in found.threshold_interval],
+        "threshold": decimals(found.threshold, COST_DIGITS),
+        "threshold_interval": [decimals(end, COST_DIGITS) for end in found.threshold_interval],
         "measured_in": measured_in,
-        "equal_error_rate": _decimals(found.equal_error_rate, SCORE_DIGITS),
-        "equal_error_rate_interval": [_decimals(end, SCORE_DIGITS) for end in found.rate_interval],
+        "equal_error_rate": decimals(found.equal_error_rate, SCORE_DIGITS),
+        "equal_error_rate_interval": [decimals(end, SCORE_DIGITS) for end in found.rate_interval],
         "alike": found.alike,
         "not_alike": found.not_alike,
         "curve": [
             {
-                "threshold": _decimals(threshold, COST_DIGITS),
-                "false_match": _decimals(false_match, SCORE_DIGITS),
-                "false_non_match": _decimals(false_non_match, SCORE_DIGITS),
+                "threshold": decimals(threshold, COST_DIGITS),
+                "false_match": decimals(false_match, SCORE_DIGITS),
+                "false_non_match": decimals(false_non_match, SCORE_DIGITS),
             }
             for threshold, false_match, false_non_match in zip(
                 found.thresholds, found.false_match, found.false_non_match, strict=True
@@ -205,10 +207,10 @@ def calibrate_result(found: Calibration, *, measured_in: str) -> Document:
         "check": None
         if check is None
         else {
-            "error": _decimals(check.error, SCORE_DIGITS),
-            "error_interval": [_decimals(end, SCORE_DIGITS) for end in check.interval],
-            "false_match": _decimals(check.false_match, SCORE_DIGITS),
-            "false_non_match": _decimals(check.false_non_match, SCORE_DIGITS),
+            "error": decimals(check.error, SCORE_DIGITS),
+            "error_interval": [decimals(end, SCORE_DIGITS) for end in check.interval],
+            "false_match": decimals(check.false_match, SCORE_DIGITS),
+            "false_non_match": decimals(check.false_non_match, SCORE_DIGITS),
             "alike": check.alike,
             "not_alike": check.not_alike,
         },
@@ -243,13 +245,13 @@ def info_result(info: Info, commands: Sequence[str]) -> Document:
     if info.kind == "skeleton":
         held["file"] = asf
     else:
-        held |= {"dimensions": info.dimensions, "unseen": _decimals(info.unseen, SCORE_DIGITS)}
+        held |= {"dimensions": info.dimensions, "unseen": decimals(info.unseen, SCORE_DIGITS)}
     return {
         "kind": info.kind,
         info.kind: held,
         "people": info.people,
         "roles": [
-            {"role": role, "members": members, "confidence": _decimals(sure, SCORE_DIGITS)}
+            {"role": role, "members": members, "confidence": decimals(sure, SCORE_DIGITS)}
             for role, members, sure in zip(
                 info.roles.roles, info.roles.members, info.roles.confidence, strict=True
             )
@@ -264,6 +266,20 @@ def info_result(info: Info, commands: Sequence[str]) -> Document:
             }
             for problem, command in zip(info.problems, commands, strict=True)
         ],
+    }
+
+
+def curve(values: np.ndarray, rate: float) -> Document:
+    """Tell the mean, the least and the most of a curve along time, and when it is most; None where nothing is seen."""
+    import numpy as np
+
+    if not np.isfinite(values).any():
+        return dict.fromkeys(("mean", "least", "most", "most_at_s"))
+    return {
+        "mean": float(np.nanmean(values)),
+        "least": float(np.nanmin(values)),
+        "most": float(np.nanmax(values)),
+        "most_at_s": round(float(np.nanargmax(values)) / rate, SECONDS_DIGITS),
     }
 
 
@@ -287,7 +303,8 @@ def rounded(value: float, *, significant: int) -> float | None:
     return float(f"{value:.{significant}g}") if math.isfinite(value) else None
 
 
-def _decimals(value: float, digits: int) -> float | None:
+def decimals(value: float, digits: int) -> float | None:
+    """Round to so many decimals; None where the number is not finite."""
     return round(float(value), digits) if math.isfinite(value) else None
 
 

@@ -10,13 +10,14 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from leitmotion.cli.batch import Answer, answer_each, finish
-from leitmotion.cli.documents import SECONDS_DIGITS, Document, stretch
+from leitmotion.cli.documents import SECONDS_DIGITS, Document, curve, stretch
 from leitmotion.cli.inputs import Input
 from leitmotion.cli.options import Options, Positive, as_json, common, examples, force, output, takes_inputs
 from leitmotion.cli.outputs import (
     PICTURES,
     check_output,
     keep_table,
+    save_value,
     tell_written,
     will_be_written,
     write_figure,
@@ -26,7 +27,6 @@ from leitmotion.cli.progress import Progress
 from leitmotion.cli.recordings import open_one
 
 if TYPE_CHECKING:
-    import numpy as np
     from rich.console import Console
 
     from leitmotion.api import Dynamics
@@ -161,16 +161,16 @@ def dynamics_result(found: Dynamics) -> Document:
     return {
         "mass_kg": found.mass,
         "mass_given": found.parameters["mass_given"],
-        "body": {what: _range(values, found.rate) for what, values in curves.items()},
+        "body": {what: curve(values, found.rate) for what, values in curves.items()},
         "segments": [
             {
                 "segment": segment,
                 "mass_kg": found.masses[k],
                 "inertia_kg_m2": found.inertias[k],
-                "kinetic_energy_j": _range(
+                "kinetic_energy_j": curve(
                     found.linear_energies[:, k] + found.angular_energies[:, k], found.rate
                 ),
-                "speed_m_s": _range(np.linalg.norm(found.velocities[:, k], axis=1), found.rate),
+                "speed_m_s": curve(np.linalg.norm(found.velocities[:, k], axis=1), found.rate),
             }
             for k, segment in enumerate(found.segments)
         ],
@@ -190,18 +190,6 @@ def dynamics_result(found: Dynamics) -> Document:
         "drift_share": float(np.median([flight.drift_share for flight in found.flights]))
         if gravity
         else None,
-    }
-
-
-def _range(values: np.ndarray, rate: float) -> Document:
-    """Mean, least and most of a curve, and when it is most."""
-    import numpy as np
-
-    return {
-        "mean": float(np.nanmean(values)),
-        "least": float(np.nanmin(values)),
-        "most": float(np.nanmax(values)),
-        "most_at_s": round(float(np.nanargmax(values)) / rate, SECONDS_DIGITS),
     }
 
 
@@ -277,11 +265,7 @@ def _write_one(path: Path, found: Dynamics) -> str:
         from leitmotion.view import plot_dynamics
 
         return write_figure(path, plot_dynamics(found))
-    from leitmotion.api import save
-
-    told = will_be_written(path)
-    save(found, path)
-    return told
+    return save_value(path, found)
 
 
 def _rows(path: str, found: Dynamics) -> list[str]:

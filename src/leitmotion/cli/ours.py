@@ -22,6 +22,8 @@ WITH_TABLES = (
     "lesson",
     "summary",
     "evaluate",
+    "postures",
+    "mirrored",
     "dynamics",
 )
 """Modules of this package with the ``COLUMNS`` of a table that they write."""
@@ -76,8 +78,9 @@ def _table(head: bytes, tail: bytes) -> bool:
 
 
 def _search(head: bytes, tail: bytes) -> bool:
-    """A saved search or dynamics, in the header of its archive; a recording is saved in the same format."""
-    return re.search(rb'"noun": "[\w.]+:((Shared)?Patterns|Dynamics)"', head) is not None
+    """A saved answer, by the header of its archive; a recording is saved in the same format."""
+    kinds = rb"(Shared)?Patterns|SimilarityMatrix|DoubleMetric|Symmetry|MotionGraph|Dynamics"
+    return re.search(rb'"noun": "[\w.]+:(' + kinds + rb')"', head) is not None
 
 
 def _annotations(head: bytes, tail: bytes) -> bool:

@@ -30,6 +30,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
     from leitmotion.cli.options import Options
+    from leitmotion.motion.noun import Noun
 
 TABLES = (".json", ".csv")
 """Endings that hold the answers about all inputs."""
@@ -185,6 +186,15 @@ def write_figure(path: Path, figure: Figure) -> str:
         figure.savefig(picture, format=form, dpi=200, metadata=made_by[form])
     told = will_be_written(path)
     write_whole(path, picture.getvalue())
+    return told
+
+
+def save_value(path: Path, value: Noun) -> str:
+    """Write a value of the library, to be loaded again; say what to tell."""
+    from leitmotion.api import save
+
+    told = will_be_written(path)
+    save(value, path)
     return told
 
 

@@ -28,6 +28,7 @@ VERBS = {
     "convert": "Write recordings in another format, whole folders at once.",
     "repair": "Mend a recording by remedies that have a name.",
     "calibrate": "Tell from labelled pairs how near alike postures are.",
+    "similarity": "Compare every moment of a recording with every other.",
     "patterns": "Find what recurs in a recording.",
     "dynamics": "Compute momentum and energy of a body in motion.",
     "evaluate": "Judge an answer by what a person saw.",

@@ -102,7 +102,7 @@ def side_bias(chain: FeatureSequence, *, pose: str = "mean") -> SideBias:
     if pose == "standing" and len(chosen) < SHORTEST_S * chain.rate:
         raise DataError(
             f"Nobody stands still with hanging arms here for {SHORTEST_S:g} s, by which sides could be compared.",
-            remedy='Compare them in the mean posture, pose="mean".',
+            remedy='Compare them in the mean posture: pose="mean", --bias mean.',
         )
     reference = chosen.replace(values=_mean(chosen)[None])
     image = mirrored(reference)

@@ -1,6 +1,7 @@
 """How alike are two moments or two stretches."""
 
 from leitmotion.similarity.alignment import Alignment
+from leitmotion.similarity.counterparts import Counterparts, counterparts, shares_alike
 from leitmotion.similarity.distance import cross_distance, self_distance
 from leitmotion.similarity.dtw import align, warping_cost
 from leitmotion.similarity.matrix import SimilarityMatrix
@@ -11,6 +12,7 @@ from leitmotion.similarity.mirror import (
     double_metric,
     identity_width,
     likeness,
+    link_angle,
     still_spans,
 )
 from leitmotion.similarity.on_demand import Distances
@@ -18,18 +20,22 @@ from leitmotion.similarity.pairs import pair_distances
 
 __all__ = [
     "Alignment",
+    "Counterparts",
     "Distances",
     "DoubleMetric",
     "SimilarityMatrix",
     "align",
     "axis_speed",
     "choose_beta",
+    "counterparts",
     "cross_distance",
     "double_metric",
     "identity_width",
     "likeness",
+    "link_angle",
     "pair_distances",
     "self_distance",
+    "shares_alike",
     "still_spans",
     "warping_cost",
 ]

@@ -122,24 +122,31 @@ def _geodesic(q0, q1, q2, q3, r0, r1, r2, r3, apart):
 
 
 @njit(cache=True, nogil=True)
-def reaches(D, half, ahead, behind):
-    """Fill how far ahead and behind each moment is followed by moments nearer than half, in frames; -1 to the end.
+def reaches(D, half, ahead, behind, until):
+    """Fill how far ahead and behind each moment is followed by moments nearer than half, in frames.
 
-    Where the distance first exceeds half lies between two frames, by a straight line.
+    Where the distance first exceeds half lies between two frames, by a straight line; -1 where the recording, or what
+    is seen of it, ends before. `until` is the first moment ahead that is far or unseen. NaN, and itself, where a moment
+    is unseen.
     """
     n = D.shape[0]
     for i in range(n):
-        ahead[i] = -1.0
+        if D[i, i] != D[i, i]:
+            ahead[i], behind[i], until[i] = np.nan, np.nan, i
+            continue
+        ahead[i], behind[i], until[i] = -1.0, -1.0, n
         last = _ZERO
         for j in range(i + 1, n):
-            if D[i, j] >= half:
-                ahead[i] = j - i - 1 + (half - last) / (D[i, j] - last)
+            if not D[i, j] < half:
+                until[i] = j
+                if D[i, j] >= half:
+                    ahead[i] = j - i - 1 + (half - last) / (D[i, j] - last)
                 break
             last = D[i, j]
-        behind[i] = -1.0
         last = _ZERO
         for j in range(i - 1, -1, -1):
-            if D[i, j] >= half:
-                behind[i] = i - j - 1 + (half - last) / (D[i, j] - last)
+            if not D[i, j] < half:
+                if D[i, j] >= half:
+                    behind[i] = i - j - 1 + (half - last) / (D[i, j] - last)
                 break
             last = D[i, j]

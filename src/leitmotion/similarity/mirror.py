@@ -88,7 +88,7 @@ class DoubleMetric(Noun):
     @property
     def half_angle(self) -> float:
         """The same as a turn of every link, radians."""
-        return self.half if self.metric == "geodesic" else 2.0 * float(np.arccos(max(1.0 - self.half, 0.0)))
+        return float(link_angle(self.half, self.metric))
 
     @property
     def lopsidedness(self) -> np.ndarray:
@@ -205,9 +205,33 @@ def choose_beta(own: np.ndarray, metric: str = "inner") -> float:
     sample = own[::stride, ::stride]
     sample = sample[np.isfinite(sample) & ~np.eye(len(sample), dtype=bool)]
     usual = float(np.median(sample)) if sample.size else 0.0
-    angle = usual if metric == "geodesic" else 2.0 * float(np.arccos(max(1.0 - usual, 0.0)))
-    half = float(np.clip(SHARE_ALIKE * angle, LEAST, MOST))
+    half = float(np.clip(SHARE_ALIKE * link_angle(usual, metric), LEAST, MOST))
     return float(np.log(2.0) / (half if metric == "geodesic" else 1.0 - np.cos(half / 2.0)))
+
+
+def link_angle(distances: np.ndarray | float, metric: str) -> np.ndarray:
+    """Tell distances as the turn by which every link would have to differ.
+
+    Parameters
+    ----------
+    distances : (...) float
+        D or D*.
+    metric : {"inner", "geodesic"}
+        What they are measured in.
+
+    Returns
+    -------
+    (...) float
+        Radians, 0 to π; NaN where the distance is.
+
+    Examples
+    --------
+    >>> float(np.degrees(link_angle(1 - np.cos(np.pi / 8), "inner")).round(6))
+    45.0
+    """
+    if metric == "geodesic":
+        return np.asarray(distances, dtype=np.float64)
+    return np.asarray(2.0 * np.arccos(np.clip(1.0 - np.asarray(distances, dtype=np.float64), 0.0, 1.0)))
 
 
 def likeness(distances: np.ndarray, beta: float) -> np.ndarray:
@@ -241,10 +265,10 @@ def identity_width(found: DoubleMetric) -> np.ndarray:
     Returns
     -------
     (T,) float
-        Seconds, before and after together. Where the recording begins or ends too soon, twice the other side; its whole
-        length where it does so on both.
+        Seconds, before and after together. Where the recording, or what is seen of it, begins or ends too soon, twice
+        the other side; its whole length where it does so on both. NaN where the body is unseen.
     """
-    ahead, behind = _reaches(found)
+    ahead, behind, _ = _reaches(found)
     one = np.where(ahead < 0, behind, ahead), np.where(behind < 0, ahead, behind)
     return np.where(one[0] < 0, len(found), one[0] + one[1]) / found.rate
 
@@ -260,7 +284,7 @@ def axis_speed(found: DoubleMetric) -> np.ndarray:
     Returns
     -------
     (T,) float
-        Radians a second of a mean link: twice the angle of half likeness over the width.
+        Radians a second of a mean link: twice the angle of half likeness over the width; NaN where the body is unseen.
     """
     return 2.0 * found.half_angle / identity_width(found)
 
@@ -278,13 +302,12 @@ def still_spans(found: DoubleMetric, *, min_duration_s: float = 0.5) -> Segmenta
     Returns
     -------
     Segmentation
-        Spans that do not overlap, in moments of `found`, labelled "stillness"; the longest is taken first.
+        Spans that do not overlap, in moments of `found`, labelled "stillness"; the longest is taken first. An unseen
+        moment is in none.
     """
-    ahead, _ = _reaches(found)
-    count = len(found)
-    first_far = np.where(ahead < 0, count, np.arange(count) + np.floor(np.maximum(ahead, 0)) + 1).astype(int)
+    _, _, until = _reaches(found)
     shortest = max(2, round(min_duration_s * found.rate))
-    spans = [(start, _end(first_far, start)) for start in range(count)]
+    spans = [(start, _end(until, start)) for start in range(len(found))]
     taken: list[tuple[int, int]] = []
     for start, stop in sorted(spans, key=lambda span: span[0] - span[1]):
         if stop - start < shortest:
@@ -300,21 +323,21 @@ def still_spans(found: DoubleMetric, *, min_duration_s: float = 0.5) -> Segmenta
     )
 
 
-def _end(first_far: np.ndarray, start: int) -> int:
+def _end(until: np.ndarray, start: int) -> int:
     """Where a span that begins at a moment has to end: no moment in it reaches a moment that is far from it."""
-    end, stop = start + 1, int(first_far[start])
+    end, stop = start + 1, int(until[start])
     while end < stop:
-        stop = min(stop, int(first_far[end]))
+        stop = min(stop, int(until[end]))
         end += 1
     return stop
 
 
-def _reaches(found: DoubleMetric) -> tuple[np.ndarray, np.ndarray]:
+def _reaches(found: DoubleMetric) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     from leitmotion.similarity import _mirror_kernels as kernels
 
-    ahead, behind = np.empty(len(found)), np.empty(len(found))
-    kernels.reaches(found.own, np.float32(found.half), ahead, behind)
-    return ahead, behind
+    ahead, behind, until = np.empty(len(found)), np.empty(len(found)), np.empty(len(found), dtype=np.int64)
+    kernels.reaches(found.own, np.float32(found.half), ahead, behind, until)
+    return ahead, behind, until
 
 
 def _shares(names: tuple[str, ...], weights: Sequence[float] | np.ndarray | None) -> np.ndarray:

@@ -160,7 +160,8 @@ def _turned(composite: np.ndarray) -> np.ndarray:
 def _draw_speed(axes: Axes, found: DoubleMetric, seconds: float, colours: Theme) -> None:
     speed = np.degrees(axis_speed(found))
     time = (np.arange(len(found)) + 0.5) / found.rate
-    most = float(np.percentile(speed, FASTEST)) or 1.0
+    seen = speed[np.isfinite(speed)]
+    most = (float(np.percentile(seen, FASTEST)) if seen.size else 0.0) or 1.0
     axes.fill_between(time, np.minimum(speed, 1.15 * most), color=colours.ink2, alpha=0.22, lw=0)
     axes.plot(time, np.minimum(speed, 1.15 * most), color=colours.ink2, lw=0.7)
     for start, stop, _, _ in still_spans(found):
