@@ -85,7 +85,7 @@ def test_the_image_of_a_path_is_the_image_of_its_curve(name):
 
 @every_graph
 def test_a_name_stands_upon_its_path_and_apart_from_names_and_states(name):
-    graph, layout = GRAPHS[name], laid(name)
+    layout = laid(name)
     boxes = {path: np.array([name_width(path), 0.2]) / 2 for path in layout.labels}
     for path, place in layout.labels.items():
         on_curve = points_of(layout.curves[path], np.linspace(0, 1, 501)) - place
