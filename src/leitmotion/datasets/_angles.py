@@ -1,14 +1,14 @@
 """A posture as the angles of its joints, all of them, and the body that takes it, borne by what touches the floor.
 
 Unlike :mod:`leitmotion.datasets._posing`, where feet are placed and legs follow, nothing here is solved for: a posture
-is 34 numbers, its mirror image is known exactly, and between two postures every number may be interpolated.
+is 35 numbers, its mirror image is known exactly, and between two postures every number may be interpolated.
 
 Conventions
 -----------
 Radians. Pitch leans forward, positive yaw turns to the person's left, positive roll raises the left side; trunk and
 head are seen from what bears them. Flexion brings arm and leg forward, abduction and spread bring them outward, elbow
 and knee bend, the wrist bends as the elbow does, the ankle points the foot. The lift is a height above the floor, in
-body heights.
+body heights; hands is 1 where the body stands on its hands as well as on its feet, and 0 where not.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ SIDE = (
     "flexion", "abduction", "outward", "elbow", "shrug", "wrist",
     "hip", "spread", "turn", "knee", "ankle", "toes",
 )  # fmt: skip
-ANGLES = (*AXIS, *(f"left_{name}" for name in SIDE), *(f"right_{name}" for name in SIDE), "lift")
+ANGLES = (*AXIS, *(f"left_{name}" for name in SIDE), *(f"right_{name}" for name in SIDE), "lift", "hands")
 STANDING = {"flexion": 0.04, "abduction": 0.13, "elbow": 0.20, "hip": 0.05, "knee": 0.08, "turn": 0.10}
 CONTACT = 0.012  # body heights: how far above the floor a point bears little of the body
 _NUMBER = {name: k for k, name in enumerate(ANGLES)}
@@ -41,7 +41,7 @@ _SIGNS = np.array([-1.0 if name in AXIS and not name.endswith("pitch") else 1.0 
 
 
 def posture(**angles: float) -> np.ndarray:
-    """Make a posture (34,): standing at ease but for these angles; one without a side is of both sides.
+    """Make a posture (35,): standing at ease but for these angles; one without a side is of both sides.
 
     Where no ankle is given, the sole is kept level.
     """
@@ -57,13 +57,38 @@ def posture(**angles: float) -> np.ndarray:
 
 
 def mirrored(postures: np.ndarray) -> np.ndarray:
-    """Exchange left and right of postures (..., 34)."""
+    """Exchange left and right of postures (..., 35)."""
     image: np.ndarray = postures[..., _SWAPPED] * _SIGNS
     return image
 
 
+def on_hands(skeleton: Skeleton, local_rotations: np.ndarray, hands: np.ndarray) -> np.ndarray:
+    """Lean the pelvis so that hands and feet come to one height, where the body stands on both (T,)."""
+    hips = np.zeros((len(hands), 3))
+    hung = as_motion(skeleton, hips, local_rotations, rate=1.0, name="")
+    pose = forward_kinematics(hung)
+    points = np.concatenate((pose.positions, end_site_positions(hung, pose)), axis=1)
+    names = [*skeleton.names, *(skeleton.names[parent] for parent in skeleton.end_parents)]
+    hand, foot = (
+        _lowest(points[:, [name.endswith(ends) for name in names]]) for ends in (("Hand",), ("Foot", "ToeBase"))
+    )
+    lean = np.arctan2(hand[:, 1] - foot[:, 1], np.maximum(hand[:, 2] - foot[:, 2], 0.2))
+    leant = local_rotations.copy()
+    turn = from_axis_angle("x", np.clip(hands, 0.0, 1.0) * lean)
+    leant[:, 0] = rotations.multiply(turn, local_rotations[:, 0])
+    return leant
+
+
+def _lowest(points: np.ndarray) -> np.ndarray:
+    """The mean of points (T, P, 3), the lowest counting most (T, 3)."""
+    low = points[..., 1].min(axis=1, keepdims=True)
+    share = np.exp(-(points[..., 1] - low) / 0.02)[..., None]
+    mean: np.ndarray = (share * points).sum(axis=1) / share.sum(axis=1)
+    return mean
+
+
 def rotations_of(skeleton: Skeleton, postures: np.ndarray) -> np.ndarray:
-    """Turn the joints so that the body takes the postures (T, 34): local rotations (T, J, 4)."""
+    """Turn the joints so that the body takes the postures (T, 35): local rotations (T, J, 4)."""
     q = np.tile(rotations.IDENTITY, (len(postures), len(skeleton), 1))
     pelvis, trunk, head = (from_euler("yxz", postures[:, k : k + 3]) for k in (0, 3, 6))
     half_trunk, half_head = (rotations.slerp(rotations.IDENTITY, each, 0.5) for each in (trunk, head))

@@ -141,9 +141,10 @@ def sun_salutation() -> Dance:
         head_pitch=-0.35,
     )
     w = posture(
-        pelvis_pitch=1.75, hip=1.85, knee=0.22, trunk_pitch=1.05, flexion=2.40, elbow=0.30, head_pitch=0.35
-    )
-    tucked = {"ankle": 0.05, "toes": 1.25, "wrist": 1.45}
+        pelvis_pitch=1.70, hip=1.85, knee=0.22, trunk_pitch=1.00, flexion=2.20, elbow=0.70, wrist=0.90,
+        head_pitch=0.35,
+    )  # fmt: skip
+    tucked = {"ankle": 0.05, "toes": 1.25, "wrist": 1.45, "hands": 2.0}
     v = posture(**tucked, pelvis_pitch=1.25, hip=0.0, knee=0.02, flexion=1.28, elbow=0.05, head_pitch=-0.30)
     lunge = posture(
         **{**tucked, "right_ankle": -0.25, "right_toes": 0.0}, pelvis_pitch=1.20, trunk_pitch=0.30, flexion=1.55,
@@ -154,13 +155,13 @@ def sun_salutation() -> Dance:
     )
     arch = posture(
         pelvis_pitch=1.22, hip=-0.35, knee=0.02, ankle=0.95, trunk_pitch=-0.85, flexion=0.50, elbow=0.05, wrist=1.45,
-        head_pitch=-0.55,
+        head_pitch=-0.55, hands=2.0,
     )  # fmt: skip
     rising = posture(
         **tucked, pelvis_pitch=1.42, hip=0.55, knee=0.30, flexion=1.70, elbow=0.05, head_pitch=0.10
     )
     tuck = posture(
-        pelvis_pitch=1.55, trunk_pitch=0.55, hip=2.15, knee=1.75, ankle=0.5, flexion=1.90, wrist=1.3
+        pelvis_pitch=1.55, trunk_pitch=0.55, hip=2.15, knee=1.75, ankle=0.5, flexion=1.90, wrist=1.3, hands=1.5
     )
     ways = {
         "yx": Way("Y", "X", through([y, x]), 1.4, symmetric=True),

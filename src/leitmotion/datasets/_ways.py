@@ -10,7 +10,7 @@ import numpy as np
 from leitmotion.datasets._angles import mirrored, posture
 
 Curve = Callable[[np.ndarray], np.ndarray]
-"""Postures (T, 34) at places (T,) of a way, 0 at its source and 1 at its target."""
+"""Postures (T, 35) at places (T,) of a way, 0 at its source and 1 at its target."""
 
 
 class Way(NamedTuple):
@@ -87,7 +87,7 @@ def across(postures: Sequence[np.ndarray]) -> Curve:
 
 
 def go(way: Way, step: Step, share: np.ndarray) -> np.ndarray:
-    """Take the postures (T, 34) of a step at shares (T,) of its time."""
+    """Take the postures (T, 35) of a step at shares (T,) of its time."""
     first, last = way.halts[::-1] if step.reversed else way.halts
     done = _eased(share, first, last)
     made = way.curve(1.0 - done if step.reversed else done)

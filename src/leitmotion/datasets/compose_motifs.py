@@ -16,7 +16,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from leitmotion.datasets._angles import embodied, rotations_of
+from leitmotion.datasets._angles import ANGLES, embodied, on_hands, rotations_of
 from leitmotion.datasets._curves import wander
 from leitmotion.datasets._dances import DANCES
 from leitmotion.datasets._motif_truth import (
@@ -139,10 +139,11 @@ def compose_motif(
     if variation is not None:
         postures = _resized(dance, postures, t, 0.5 * (starts + stops), variation.amplitude, size)
     skeleton = human_skeleton(height)
+    lift, hands = (postures[:, ANGLES.index(name)] for name in ("lift", "hands"))
     local_rotations = rotations_of(skeleton, postures)
-    motion = embodied(
-        skeleton, local_rotations, height * postures[:, -1], rate=rate, name=name, afloat=dance.afloat
-    )
+    if hands.any():
+        local_rotations = on_hands(skeleton, local_rotations, hands)
+    motion = embodied(skeleton, local_rotations, height * lift, rate=rate, name=name, afloat=dance.afloat)
     if variation is not None:
         turned = multiply(local_rotations, _askew(skeleton.names, variation.offset_deg, askew))
         shaken = noise.standard_normal((frames, len(skeleton), 3)) * np.radians(variation.noise_deg)
@@ -199,7 +200,7 @@ def _postures(
     stops: np.ndarray,
     warped: list[tuple[np.ndarray, np.ndarray]],
 ) -> np.ndarray:
-    """Postures (T, 34) at times (T,); between two steps, that in which the next begins."""
+    """Postures (T, 35) at times (T,); between two steps, that in which the next begins."""
     which = np.searchsorted(stops, t, side="right").clip(max=len(stops) - 1)
     made = np.empty((len(t), len(dance.middle)))
     for k, step in enumerate(dance.steps):
