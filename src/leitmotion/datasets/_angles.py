@@ -70,7 +70,8 @@ def on_hands(skeleton: Skeleton, local_rotations: np.ndarray, hands: np.ndarray)
     points = np.concatenate((pose.positions, end_site_positions(hung, pose)), axis=1)
     names = [*skeleton.names, *(skeleton.names[parent] for parent in skeleton.end_parents)]
     hand, foot = (
-        _lowest(points[:, [name.endswith(ends) for name in names]]) for ends in (("Hand",), ("Foot", "ToeBase"))
+        _lowest(points[:, [name.endswith(ends) for name in names]])
+        for ends in (("Hand",), ("Foot", "ToeBase"))
     )
     lean = np.arctan2(hand[:, 1] - foot[:, 1], np.maximum(hand[:, 2] - foot[:, 2], 0.2))
     leant = local_rotations.copy()

@@ -161,7 +161,14 @@ def sun_salutation() -> Dance:
         **tucked, pelvis_pitch=1.42, hip=0.55, knee=0.30, flexion=1.70, elbow=0.05, head_pitch=0.10
     )
     tuck = posture(
-        pelvis_pitch=1.55, trunk_pitch=0.55, hip=2.15, knee=1.75, ankle=0.5, flexion=1.90, wrist=1.3, hands=1.5
+        pelvis_pitch=1.55,
+        trunk_pitch=0.55,
+        hip=2.15,
+        knee=1.75,
+        ankle=0.5,
+        flexion=1.90,
+        wrist=1.3,
+        hands=1.5,
     )
     ways = {
         "yx": Way("Y", "X", through([y, x]), 1.4, symmetric=True),

@@ -54,6 +54,8 @@ class TrueStep(NamedTuple):
     source: str
     """The state in which it begins, in time; empty of a posture that is no state."""
     target: str
+    halts: tuple[bool, bool]
+    """Whether the body comes to a halt at its beginning, at its end."""
 
 
 class TrueMotif(NamedTuple):
@@ -74,10 +76,11 @@ def true_steps(dance: Dance, starts: np.ndarray, stops: np.ndarray) -> tuple[Tru
     for step, start, stop in zip(dance.steps, starts.tolist(), stops.tolist(), strict=True):
         way = dance.ways[step.way]
         ends = [_starred(state) if step.mirrored else state for state in (way.source, way.target)]
-        source, target = ends[::-1] if step.reversed else ends
-        told.append(
-            TrueStep(step.way, start, stop, step.reversed, step.mirrored, way.symmetric, source, target)
-        )
+        halts = way.halts
+        if step.reversed:
+            ends, halts = ends[::-1], halts[::-1]
+        gone = step.reversed, step.mirrored, way.symmetric
+        told.append(TrueStep(step.way, start, stop, *gone, ends[0], ends[1], halts))
     return tuple(told)
 
 

@@ -37,11 +37,7 @@ from leitmotion.motion.rotations import from_rotation_vector, multiply
 
 MOTIONS = tuple(DANCES)
 """What :func:`compose_motif` can compose."""
-WARP, LEAST_WARP = (
-    0.12,
-    0.25,
-)  # of the tempo within a motion: its spread, and how far it goes at most, as logarithms
-PER_REPETITION = 0.03  # how much larger or smaller a repetition is
+PER_REPETITION = 0.15  # of the range of amplitudes, that single repetitions differ by
 FINE = 200.0  # hertz, at which time is warped
 
 
@@ -51,9 +47,11 @@ class Variation(NamedTuple):
     noise_deg: float = 3.0
     """σ of the noise: each joint, in each frame, is turned by so much about each of its axes."""
     amplitude: float = 0.20
-    """The whole motion is larger or smaller by up to this share; each repetition by up to 3 % besides."""
+    """The whole motion is larger or smaller by up to this share; each step by up to 0.15 of it besides."""
     tempo: tuple[float, float] = (0.7, 1.4)
-    """Range of how fast it is; within the motion the tempo wanders smoothly besides."""
+    """Range of how fast it is, at any time."""
+    warp: float = 0.15
+    """How much the tempo wanders smoothly within a motion: σ of its logarithm, as far as the range allows."""
     offset_deg: tuple[float, float] = (5.0, 10.0)
     """Range by which the joints of one arm, one leg or one whole side are turned askew, all along."""
     dwell_s: tuple[float, float] = (0.0, 1.0)
@@ -118,7 +116,7 @@ def compose_motif(
     >>> from leitmotion.datasets import compose_motif
     >>> jacks = compose_motif("jumping jacks", rate=30, variation=None)
     >>> jacks.notation
-    'X̄, Ȳ; x̄y ↔'
+    'X̄, Ȳ; x̄y ↔'
     >>> [(span.motif, span.cyclic) for span in jacks.spans]
     [('symmetric_path', False), ('symmetric_palindrome', True)]
     """
@@ -160,17 +158,17 @@ def _times(
     """When each step starts and stops (K,), when within it its shares are done, and how long all takes; seconds."""
     usual = [dance.ways[step.way].seconds for step in dance.steps]
     seconds = float(np.sum(usual))
-    tempo, warp = 1.0, np.zeros((int(seconds * FINE) + 2, 1))
+    tempo = np.ones(int(seconds * FINE) + 2)
     if variation is not None:
-        tempo = float(np.exp(pace.uniform(*np.log(variation.tempo))))
-        warp = WARP * wander(pace, np.arange(len(warp)) / FINE, seconds + 1.0, 0.8, 1)
-    slowness = np.exp(np.clip(warp[:, 0], -LEAST_WARP, LEAST_WARP)) / tempo
+        wandering = wander(pace, np.arange(len(tempo)) / FINE, seconds + 1.0, 0.8, 1)[:, 0]
+        middle = pace.uniform(*np.log(variation.tempo))
+        tempo = np.exp(np.clip(middle + variation.warp * wandering, *np.log(variation.tempo)))
     now, before = 0.0, 0.0
     starts, stops, warped = [], [], []
     for step, length in zip(dance.steps, usual, strict=True):
         now += _dwell(dance, step.way, step.reversed, variation, rest)
         share = np.linspace(0.0, 1.0, int(np.ceil(length * FINE)) + 1)
-        slow = np.interp((before + share * length) * FINE, np.arange(len(slowness)), slowness)
+        slow = 1.0 / np.interp((before + share * length) * FINE, np.arange(len(tempo)), tempo)
         passed = np.concatenate(([0.0], np.cumsum(0.5 * (slow[1:] + slow[:-1]) * np.diff(share) * length)))
         warped.append((now + passed, share))
         starts.append(now)
@@ -220,7 +218,7 @@ def _resized(
 ) -> np.ndarray:
     """Make the whole movement larger or smaller, and each repetition a little."""
     whole = 1.0 + amplitude * size.uniform(-1.0, 1.0)
-    each = 1.0 + PER_REPETITION * size.uniform(-1.0, 1.0, len(at))
+    each = 1.0 + PER_REPETITION * amplitude * size.uniform(-1.0, 1.0, len(at))
     return dance.middle + whole * np.interp(t, at, each)[:, None] * (postures - dance.middle)
 
 

@@ -1,6 +1,9 @@
 """How good is an answer: one module per task, on arrays and segmentations only."""
 
 from leitmotion.evaluation.calibration import Calibration, ErrorRates, equal_error_rate, errors_at
+from leitmotion.evaluation.motif_truth import MOTIF_KINDS, GoneStep, MotifSpan
+from leitmotion.evaluation.motifs import MotifScores, evaluate_motifs
+from leitmotion.evaluation.motion_graphs import GraphPath, GraphShape, GraphState, same_graph
 from leitmotion.evaluation.pattern_scores import MEASURES, PatternScores, RunCount, interval, pool
 from leitmotion.evaluation.pattern_truth import FoundPatterns, PatternTruth
 from leitmotion.evaluation.patterns import evaluate_patterns, linked, owners
@@ -8,19 +11,28 @@ from leitmotion.evaluation.tang2008 import PaperErrorRates, paper_error_rates
 
 __all__ = [
     "MEASURES",
+    "MOTIF_KINDS",
     "Calibration",
     "ErrorRates",
     "FoundPatterns",
+    "GoneStep",
+    "GraphPath",
+    "GraphShape",
+    "GraphState",
+    "MotifScores",
+    "MotifSpan",
     "PaperErrorRates",
     "PatternScores",
     "PatternTruth",
     "RunCount",
     "equal_error_rate",
     "errors_at",
+    "evaluate_motifs",
     "evaluate_patterns",
     "interval",
     "linked",
     "owners",
     "paper_error_rates",
     "pool",
+    "same_graph",
 ]
