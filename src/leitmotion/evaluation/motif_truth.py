@@ -133,7 +133,11 @@ def _still(course: Course, stretch: Stretch, _: Stretch) -> bool:
 
 
 def _symmetric(course: Course, stretch: Stretch, _: Stretch) -> bool:
-    """In symmetric steps, or close to where a symmetric state is passed."""
+    """In symmetric steps, or close to where a symmetric state is passed; over no asymmetric step."""
+    for step in course.steps:
+        within = min(step.stop, stretch[1]) - max(step.start, stretch[0])
+        if not step.symmetric and within > 0.5 * (step.stop - step.start):
+            return False
     places = course.place(np.arange(*stretch) + 0.5)
     return bool(np.mean([_level(course, x) for x in places]) >= ALL)
 
