@@ -25,7 +25,9 @@ from leitmotion.view.cells import shrunk_likeness
 from leitmotion.view.symmetry_words import (
     CHIEF,
     FITS,
+    LOOKED_FOR,
     TOLD,
+    empty_symmetry,
     half_alike,
     lane_words,
     span_name,
@@ -75,26 +77,31 @@ def symmetry_payload(
     """
     found, distances = mirroring
     held = [_pattern_of(span, found.rate, patterns) for span in found.spans]
-    chief = _chief_motifs(found.spans, held, patterns)
+    letters = ["" if k is None else patterns.patterns[k].id for k in held]
     compared = [role for role in ANALYSIS_ROLES if role in body.roles and mirror_role(role) in body.roles]
     apart = mirror_distance(posture(body, roles=compared)) * body.size * metres
+    told = (
+        {"factor": 100.0, "unit": "cm"}
+        if body.unit == "m"
+        else {"factor": 100 / (body.size * metres), "unit": "% of body size"}
+    )
     index = {role: r for r, role in enumerate(body.roles)}
     return {
-        "title": symmetry_title(found.spans, chief),
-        "lead": _pieces(symmetry_lead(found.spans, chief)),
+        "title": symmetry_title(found.spans, letters),
+        "lead": _pieces(symmetry_lead(found.spans, letters)),
+        "empty": empty_symmetry(float(np.nanmedian(apart)) * told["factor"], told["unit"]),
+        "looked_for": LOOKED_FOR,
         "half": half_alike(float(np.degrees(distances.half_angle))),
         "beta": distances.beta,
         "matrix": _cells(distances),
         "partner": [index.get(mirror_role(role), -1) for role in body.roles],
         "compared": [index[role] for role in compared],
-        "told": {"factor": 100.0, "unit": "cm"}
-        if body.unit == "m"
-        else {"factor": 100 / (body.size * metres), "unit": "% of body size"},
+        "told": told,
         "lopsidedness": {"quantum": QUANTUM, "values": _quanta(apart[::step])},
         "speed": _speed(distances),
         "still": [[a / distances.rate, b / distances.rate] for a, b, _, _ in still_spans(distances)],
         "strikes": [float(frame / found.rate) for frame in found.strikes],
-        "lanes": _lanes(found, held, patterns),
+        "lanes": _lanes(found, held, letters),
     }
 
 
@@ -117,7 +124,7 @@ def _speed(distances: DoubleMetric) -> dict[str, Any]:
     return {"most": most, "values": array(np.rint(254 * np.minimum(speed / most, 1.0)), "u1")}
 
 
-def _lanes(found: Symmetry, held: Sequence[int | None], patterns: Patterns) -> list[dict[str, Any]]:
+def _lanes(found: Symmetry, held: Sequence[int | None], letters: Sequence[str]) -> list[dict[str, Any]]:
     """One lane a motif that was found, those first that tell how the sides move together."""
     lanes = []
     for motif in TOLD:
@@ -127,7 +134,6 @@ def _lanes(found: Symmetry, held: Sequence[int | None], patterns: Patterns) -> l
         spans = [found.spans[k] for k in inside]
         name, term = lane_words(motif, spans)
         rows = _rows(spans)
-        letters = ["" if held[k] is None else patterns.patterns[held[k]].id for k in inside]  # type: ignore[index]
         lanes.append(
             {
                 "motif": motif,
@@ -137,8 +143,9 @@ def _lanes(found: Symmetry, held: Sequence[int | None], patterns: Patterns) -> l
                 "key": _key(spans, found.rate),
                 "rows": max(rows) + 1,
                 "spans": [
-                    _span(span, found.rate, letter, n, len(spans)) | {"pattern": held[k], "row": row}
-                    for n, (k, span, letter, row) in enumerate(zip(inside, spans, letters, rows, strict=True))
+                    _span(found.spans[k], found.rate, letters[k], n, len(spans))
+                    | {"pattern": held[k], "row": row}
+                    for n, (k, row) in enumerate(zip(inside, rows, strict=True))
                 ],
             }
         )
@@ -195,11 +202,9 @@ def fit(span: SymmetrySpan, rate: float) -> dict[str, Any]:
             "at": [whole],
             "to": [there[::-1] if span.motif == "path_reversal" else there],
         }
-    if span.motif == "anti_palindrome" and ways:
-        others = [way[::-1] for way in ways]
-    elif span.motif in ("anti_phase", "asymmetric_cycle") and len(ways) > 1:
+    if span.motif in ("anti_phase", "asymmetric_cycle") and len(ways) > 1:
         others = [*ways[1:], ways[-2]]
-    elif span.motif == "asymmetric_palindrome" and len(ways) > 1:
+    elif span.motif in ("anti_palindrome", "asymmetric_palindrome") and len(ways) > 1:
         others = [ways[k ^ 1 if k ^ 1 < len(ways) else k - 1][::-1] for k in range(len(ways))]
     else:
         return {"mirrored": True, "words": "its mirror image", "at": [whole], "to": [whole]}
@@ -218,22 +223,6 @@ def _pattern_of(span: SymmetrySpan, rate: float, patterns: Patterns) -> int | No
         if held > most:
             best, most = p, held
     return best
-
-
-def _chief_motifs(
-    spans: Sequence[SymmetrySpan], held: Sequence[int | None], patterns: Patterns
-) -> dict[str, str]:
-    """For each pattern that a chief motif lies in, the one that has the most time of it, weighed by how sure it is."""
-    chief = {}
-    for p, pattern in enumerate(patterns.patterns):
-        weights = dict.fromkeys(CHIEF, 0.0)
-        for span, holder in zip(spans, held, strict=True):
-            if holder == p and span.motif in CHIEF:
-                weights[span.motif] += span.confidence * (span.stop - span.start)
-        best = max(weights, key=lambda motif: weights[motif])
-        if weights[best]:
-            chief[pattern.id] = best
-    return chief
 
 
 def _key(spans: Sequence[SymmetrySpan], rate: float) -> float:

@@ -16,7 +16,7 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 from leitmotion.discovery import SymmetrySpan
-from leitmotion.view.counting import clock, count_word, plural, times_word
+from leitmotion.view.counting import clock, count_word, plural
 from leitmotion.view.words import Chip, Lead, listed
 
 
@@ -46,17 +46,17 @@ CHIEF = {
         "cyan stripes run midway between the red ones",
     ),
     "anti_palindrome": Motif(
-        "Alternates sides, out and back", "anti-palindrome", "way",
+        "From side to side", "anti-palindrome", "way",
         "{it} goes over to the other side: what follows is the mirror image of what was, backwards.",
         "cyan lines cross the diagonal",
     ),
     "symmetric_palindrome": Motif(
-        "Both sides together, out and back", "symmetric palindrome", "way",
+        "Both, out and back", "symmetric palindrome", "way",
         "{it} moves both sides together, and comes back the way it went.",
         "white lines cross the diagonal",
     ),
     "symmetric_cycle": Motif(
-        "Both sides together, again and again", "symmetric cycle", "cycle",
+        "Both sides, repeating", "symmetric cycle", "cycle",
         "{it} moves both sides together, again and again.",
         "red and cyan stripes lie on one another and make white",
     ),
@@ -71,7 +71,7 @@ CHIEF = {
         "red lines cross the diagonal, with no cyan on them",
     ),
     "asymmetric_cycle": Motif(
-        "One side, again and again", "asymmetric cycle", "cycle",
+        "One side, repeating", "asymmetric cycle", "cycle",
         "{it} favours one side, again and again.",
         "red stripes run alone, with no cyan between them",
     ),
@@ -80,7 +80,7 @@ CHIEF = {
 
 OTHERS = {
     "reflected_path_repetition": Motif(
-        "Again, sides exchanged", "reflected path repetition", "",
+        "Again, mirrored", "reflected path repetition", "",
         "This comes again at {when} with the sides exchanged.",
         "a cyan stripe lies away from the diagonal",
     ),
@@ -95,7 +95,7 @@ OTHERS = {
         "a red stripe lies away from the diagonal",
     ),
     "reflected_state_repetition": Motif(
-        "The mirrored posture again", "reflected state repetition", "",
+        "Mirrored posture again", "reflected state repetition", "",
         "This posture comes again at {when}, as its mirror image.",
         "a cyan spot lies away from the diagonal",
     ),
@@ -128,99 +128,151 @@ FITS = {
 ALTERNATE = ("anti_phase", "anti_palindrome")
 TOGETHER = ("symmetric_palindrome", "symmetric_cycle", "symmetric_path")
 FAVOUR = ("asymmetric_palindrome", "asymmetric_cycle")
-HOLDS = (("alternate", ALTERNATE), ("together", TOGETHER), ("favour", FAVOUR))
-
+KINDS = {"alternate": ALTERNATE, "together": TOGETHER, "favour": FAVOUR}
+VERBS = {
+    # one pattern, several, and stretches that no pattern holds, one and several
+    "alternate": (
+        " returns as its own mirror image.",
+        " return as their own mirror image.",
+        ("alternates sides", "alternate sides"),
+    ),
+    "together": (
+        " moves both sides together.",
+        " move both sides together.",
+        ("moves both sides together", "move both sides together"),
+    ),
+    "favour": (" favours one side.", " favour one side.", ("favours one side", "favour one side")),
+}
+SURE = 0.5  # confidence from which a stretch is more likely right than wrong
+LOOKED_FOR = (
+    "Stretches that are their own mirror image at once, half a cycle later or backwards, and ways and postures that "
+    "come again, as they were or with the sides exchanged."
+)
 NOT_COMPUTED = "The symmetry of this recording was not computed."
 
 
-def kinds_of(motifs: dict[str, str]) -> dict[str, list[str]]:
-    """Sort patterns by how they treat the sides.
-
-    Parameters
-    ----------
-    motifs : dict
-        For each pattern's letter its chief motif.
-
-    Returns
-    -------
-    dict
-        Letters under "alternate", "together" and "favour".
-
-    Examples
-    --------
-    >>> kinds_of({"A": "anti_phase", "B": "symmetric_cycle"})
-    {'alternate': ['A'], 'together': ['B'], 'favour': []}
-    """
-    return {kind: [name for name, motif in motifs.items() if motif in held] for kind, held in HOLDS}
-
-
-def symmetry_title(spans: Sequence[SymmetrySpan], motifs: dict[str, str]) -> str:
+def symmetry_title(spans: Sequence[SymmetrySpan], letters: Sequence[str]) -> str:
     """Say what was found, as the heading of the view.
 
     Parameters
     ----------
     spans : sequence of SymmetrySpan
-        What was found.
-    motifs : dict
-        For each pattern's letter its chief motif.
+        What was found. What is more likely wrong than right says nothing here.
+    letters : sequence of str
+        Of the pattern that each lies in; empty where none holds it.
 
     Returns
     -------
     str
         For example ``"Two ways of moving alternate sides"``.
+
+    Examples
+    --------
+    >>> walk = SymmetrySpan("anti_phase", 0, 90, 0.9, cyclic=True, marks=[0, 30, 60, 90])
+    >>> symmetry_title([walk], ["A"])
+    'One way of moving alternates sides'
     """
-    ways = kinds_of(motifs)
-    found = {kind: [span for span in spans if span.motif in held] for kind, held in HOLDS}
+    ways, loose, stretches = _claims(spans, letters)
+    if loose["alternate"]:
+        return f"The sides alternate{_in_stretches(stretches['alternate'])}"
     if len(ways["alternate"]) > 1:
         return f"{count_word(len(ways['alternate'])).capitalize()} ways of moving alternate sides"
     if ways["alternate"]:
         return "One way of moving alternates sides"
-    if found["alternate"]:
-        return f"The sides alternate, {times_word(_stretches(found['alternate']))}"
-    if found["together"]:
+    if stretches["together"]:
         return "Both sides move together"
-    if found["favour"]:
+    if _mirrored_again(spans):
+        return "Movements come back mirrored"
+    if stretches["favour"]:
         return "No side mirrors the other"
-    if any(span.motif.startswith("reflected") for span in spans):
-        return "The mirror image comes back"
-    return "No symmetry shows here"
+    return "No symmetry is clear here" if spans else "No symmetry shows here"
 
 
-def symmetry_lead(spans: Sequence[SymmetrySpan], motifs: dict[str, str]) -> Lead:
-    """Say in one line which pattern treats the sides how, or how often what no pattern holds was found.
+def symmetry_lead(spans: Sequence[SymmetrySpan], letters: Sequence[str]) -> Lead:
+    """Say in one line which pattern treats the sides how, and what no pattern holds.
 
     Parameters
     ----------
     spans : sequence of SymmetrySpan
-        What was found.
-    motifs : dict
-        For each pattern's letter its chief motif.
+        What was found. What is more likely wrong than right says nothing here.
+    letters : sequence of str
+        Of the pattern that each lies in; empty where none holds it.
 
     Returns
     -------
     tuple of str and Chip
         The pieces of the line, in order.
     """
-    ways = kinds_of(motifs)
+    ways, loose, _ = _claims(spans, letters)
     pieces: list[str | Chip] = []
-    verbs = {
-        "alternate": (" returns as its own mirror image", " return as their own mirror image"),
-        "together": (" moves both sides together", " move both sides together"),
-        "favour": (" favours one side", " favour one side"),
-    }
-    for kind, letters in ways.items():
-        if letters:
+    for kind, (one, several, elsewhere) in VERBS.items():
+        if ways[kind]:
             pieces += (
-                ([_ending(pieces)] if pieces else []) + listed(letters) + [verbs[kind][len(letters) > 1]]
+                ([" "] if pieces else []) + listed(ways[kind]) + [one if len(ways[kind]) == 1 else several]
             )
+        if loose[kind]:
+            also = " more" if ways[kind] else ""
+            count = loose[kind]
+            told = f"{count_word(count)}{also} {'stretch' if count == 1 else 'stretches'} {elsewhere[count > 1]}."
+            pieces.append((" " if pieces else "") + told[0].upper() + told[1:])
+    again = _mirrored_again(spans)
+    if again:
+        count = "One stretch comes" if again == 1 else f"{count_word(again).capitalize()} stretches come"
+        pieces.append(f"{' ' if pieces else ''}{count} again with the sides exchanged.")
     if pieces:
-        return _joined([*pieces, "."])
-    counts = {kind: _stretches([s for s in spans if s.motif in held]) for kind, held in HOLDS}
-    words = {"alternate": "they alternate", "together": "they move together", "favour": "one leads"}
-    told = [f"{words[kind]} in {plural(count, 'stretch')}" for kind, count in counts.items() if count]
-    if told:
-        return ("; ".join(told)[0].upper() + "; ".join(told)[1:] + ".",)
+        return _joined(pieces)
+    if spans:
+        return ("No stretch tells clearly how the two sides move together; what is uncertain is hatched.",)
     return ("No stretch was clear enough to say how the two sides move together.",)
+
+
+def _claims(
+    spans: Sequence[SymmetrySpan], letters: Sequence[str]
+) -> tuple[dict[str, list[str]], dict[str, int], dict[str, int]]:
+    """Under each kind: the letters of patterns, how many stretches no pattern holds, and how many there are in all.
+
+    A pattern is of the motif that has the most of it, weighed by confidence. A stretch counts once, under the first
+    kind that fits it.
+    """
+    weights: dict[str, dict[str, float]] = {}
+    sure: dict[str, list[tuple[SymmetrySpan, str]]] = {kind: [] for kind in KINDS}
+    for span, letter in zip(spans, letters, strict=True):
+        kind = next((kind for kind, held in KINDS.items() if span.motif in held), None)
+        if kind is None:
+            continue
+        if letter:
+            of = weights.setdefault(letter, dict.fromkeys(KINDS, 0.0))
+            of[kind] += span.confidence * (span.stop - span.start)
+        if span.confidence >= SURE:
+            sure[kind].append((span, letter))
+    chief = {letter: max(of, key=lambda kind, of=of: of[kind]) for letter, of in weights.items()}  # type: ignore[misc]
+    ways: dict[str, list[str]] = {}
+    loose, stretches, before = {}, {}, []
+    for kind in KINDS:
+        lettered = {letter for _, letter in sure[kind] if letter}
+        ways[kind] = sorted(letter for letter in lettered if chief[letter] == kind)
+        own = [span for span, letter in sure[kind] if letter in ways[kind]]
+        rest = [span for span, letter in sure[kind] if not letter and not _covered(span, before + own)]
+        stretches[kind] = _stretches(own + rest)
+        loose[kind] = stretches[kind] - _stretches(own)
+        before += own + rest
+    return ways, loose, stretches
+
+
+def _mirrored_again(spans: Sequence[SymmetrySpan]) -> int:
+    """How many stretches surely come again as their mirror image, those that overlap counted once."""
+    return _stretches(
+        [span for span in spans if span.confidence >= SURE and span.motif == "reflected_path_repetition"]
+    )
+
+
+def _covered(span: SymmetrySpan, others: Sequence[SymmetrySpan]) -> bool:
+    both = [min(span.stop, other.stop) - max(span.start, other.start) for other in others]
+    return 2 * max(both, default=0) > span.stop - span.start
+
+
+def _in_stretches(count: int) -> str:
+    return "" if count == 1 else f" in {count_word(count)} stretches"
 
 
 def span_sentence(span: SymmetrySpan, rate: float) -> tuple[str, str]:
@@ -349,6 +401,32 @@ def half_alike(degrees: float) -> str:
     return f"half alike at {degrees:.0f}° a link"
 
 
+def empty_symmetry(apart: float, unit: str) -> str:
+    """Say that no motif was found, and what the view shows all the same.
+
+    Parameters
+    ----------
+    apart : float
+        How far the body is from its own mirror image half of the time, in the unit told.
+    unit : str
+        That unit.
+
+    Returns
+    -------
+    str
+        A few plain sentences.
+    """
+    far = (
+        f" Half of the time it is more than {apart:.1f} {unit} from its own mirror image."
+        if apart == apart
+        else ""
+    )
+    return (
+        f"No motif of symmetry was found: no stretch comes back, as it was or mirrored.{far} You can still lay the "
+        "mirror image under the figure, and compare any moment with the mirror image of any other."
+    )
+
+
 def _stretches(spans: Sequence[SymmetrySpan]) -> int:
     """How many stretches they are, those that overlap counted once."""
     count, reach = 0, -1
@@ -356,10 +434,6 @@ def _stretches(spans: Sequence[SymmetrySpan]) -> int:
         count += start >= reach
         reach = max(reach, stop)
     return count
-
-
-def _ending(pieces: Sequence[str | Chip]) -> str:
-    return ". " if pieces and str(pieces[-1]).endswith("mirror image") else ", "
 
 
 def _joined(pieces: Sequence[str | Chip]) -> Lead:

@@ -1,6 +1,6 @@
 // The table of the view of symmetry: every stretch of every motif, those of folded lanes too.
 
-const MOTIF_COLUMNS = ["Motif", "From", "To", "Again from", "To", "Lasts", "Fields", "Pattern", "Confidence"];
+const MOTIF_COLUMNS = ["Motif", "From", "To", "Again from", "To", "Lasts", "Parts", "Pattern", "Confidence"];
 
 function motifTable() {
   if (!motifSpans.length) return make("div", "", [make("h2", "", "What was looked for"), make("p", "", symmetry.looked_for)]);
