@@ -35,6 +35,7 @@ FACADE = (
     "graphing",
     "inspection",
     "lessons",
+    "paging",
     "sharing",
     "symmetry",
 )

@@ -118,6 +118,8 @@ DRAWN_RATE = 30.0
 """Frames per second that the page draws."""
 MOST_MOMENTS = 6000
 """Moments that the page's matrix compares at most: 3 minutes at 30 a second, 144 MB."""
+OPENINGS = ("repeats", "lesson", "symmetry")
+"""What a page can show first."""
 LONGEST_NAME = 200
 """Bytes of a page's default name at most; file systems take 255 with the ending."""
 
@@ -311,10 +313,11 @@ def report(
     exclude: str | Sequence[str] | None = None,
     body_map: Roles | None = None,
     swap_sides: bool = False,
+    opens_with: str = "repeats",
     force: bool = False,
     **options: Any,
 ) -> Path:
-    """Write the page that shows what recurs in a recording: one HTML file that needs nothing else.
+    """Write the page that shows what recurs in a recording, and its symmetry: one HTML file that needs nothing else.
 
     Parameters
     ----------
@@ -336,6 +339,8 @@ def report(
         As for :func:`find_patterns`; by default those by which the given patterns were found, else posture and equal.
     joints, exclude, body_map, swap_sides
         As for :func:`find_patterns`.
+    opens_with : {"repeats", "lesson", "symmetry"}
+        What the page shows first; repeats where there is no such thing to show.
     force : bool
         Whether an ``.html`` file that Leitmotion did not write may be replaced.
     **options
@@ -349,8 +354,8 @@ def report(
     Raises
     ------
     ParameterError
-        When a role or an option is unknown, the path does not end in ``.html`` or holds somebody else's page, or the
-        patterns or labels are of another recording.
+        When a role, an option or what to open with is unknown, the path does not end in ``.html`` or holds somebody
+        else's page, or the patterns or labels are of another recording.
     DataError
         When nothing in the recording tells how large the body is.
 
@@ -360,10 +365,13 @@ def report(
     >>> lm.report(lm.read("dance.bvh"), "dance.html")       # doctest: +SKIP
     PosixPath('dance.html')
     """
+    from leitmotion.paging import dynamics_of, mirroring_of
     from leitmotion.similarity import self_distance
     from leitmotion.view import report_page
     from leitmotion.view.report import check_page
 
+    if opens_with not in OPENINGS:
+        raise ParameterError(f"opens_with must be one of {', '.join(OPENINGS)}, got {opens_with!r}.")
     if swap_sides:
         body_map = _exchanged(recording, body_map)
     body = as_body(recording, body_map)
@@ -388,6 +396,9 @@ def report(
         source=facts | dict(source or {}),
         labels=labels,
         labels_from=labels_from,
+        mirroring=mirroring_of(recording, body, body_map),
+        dynamics=dynamics_of(recording, body_map),
+        opens_with=opens_with,
     )
     write_whole(target, page)
     return target

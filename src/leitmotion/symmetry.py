@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from leitmotion.comparing import compare_with_mirror
+from leitmotion.comparing import Mirrored, compare_with_mirror
 from leitmotion.describing import Recording, Roles
 from leitmotion.discovery import Symmetry, SymmetrySpan
 from leitmotion.discovery import find_symmetry as find_in_moments
@@ -54,13 +54,32 @@ def find_symmetry(
     mirrored = compare_with_mirror(
         recording, metric=metric, weights=weights, bias=bias, beta=beta, body_map=body_map
     )
+    found = motifs_in(mirrored, recording, min_still_s=min_still_s)
+    return found.replace(parameters=found.parameters | {"weights": weights, "bias": bias})
+
+
+def motifs_in(mirrored: Mirrored, recording: Recording, *, min_still_s: float = 0.5) -> Symmetry:
+    """Find the motifs in a recording that was compared with its mirror image.
+
+    Parameters
+    ----------
+    mirrored : Mirrored
+        What :func:`leitmotion.compare_with_mirror` tells of it.
+    recording : Motion, Trajectories or Body
+        The recording.
+    min_still_s : float
+        How long stillness lasts at least, seconds.
+
+    Returns
+    -------
+    Symmetry
+        Its stretches in frames of the recording.
+    """
     told = find_in_moments(mirrored.distances, min_still_s=min_still_s)
     taken = mirrored.bias
     parameters = {
         **told.parameters,
-        "weights": weights,
         "moments_per_s": mirrored.distances.rate,
-        "bias": bias,
         "largest_bias_deg": None if taken is None else float(np.degrees(taken.angles.max())),
     }
     frames = len(recording)

@@ -72,7 +72,7 @@ def teach(inputs: tuple[str, ...], options: Options) -> None:
         out = options.output
         kept = []
         if out is not None and out.suffix.lower() == ".html":
-            kept.append(write_page(out, opened, found, options, progress))
+            kept.append(write_page(out, opened, found, options, progress, opens_with="lesson"))
         if out is not None and out.suffix.lower() == ".eaf":
             from leitmotion.io import write_annotations
 

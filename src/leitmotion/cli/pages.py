@@ -28,6 +28,7 @@ def write_page(
     labels: Segmentation | None = None,
     labels_from: str = "",
     notes: Sequence[str] = (),
+    opens_with: str = "repeats",
 ) -> str:
     """Write the page that shows what recurs in a recording.
 
@@ -49,6 +50,8 @@ def write_page(
         Where they are from.
     notes : sequence of str
         What else the person should know, about the labels.
+    opens_with : {"repeats", "lesson", "symmetry"}
+        What the page shows first.
 
     Returns
     -------
@@ -71,6 +74,7 @@ def write_page(
         | {"warnings": [*warnings_of(opened, found), *notes]},
         joints=options.joints or None,
         exclude=options.exclude,
+        opens_with=opens_with,
         force=True,  # whether the page may be replaced was asked before any work
     )
     return told

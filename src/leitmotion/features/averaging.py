@@ -35,7 +35,7 @@ def averaged(chain: FeatureSequence, spread_s: float) -> FeatureSequence:
     seen = np.isfinite(values)
     filled = np.where(seen, values, 0.0)
     turned = np.where(np.einsum("tji,tji->tj", filled[1:], filled[:-1]) < 0, -1.0, 1.0)
-    sign = np.cumprod(np.concatenate((np.ones_like(filled[:1, :, 0]), turned)), axis=0)[..., None]
+    sign = np.cumprod(np.concatenate((np.ones((1, filled.shape[1])), turned)), axis=0)[..., None]
     summed = gaussian_filter1d(filled * sign, spread, axis=0, mode="nearest") * sign
     length = np.linalg.norm(summed, axis=-1, keepdims=True)
     mean = np.divide(summed, length, out=np.full_like(summed, np.nan), where=seen & (length > 0))

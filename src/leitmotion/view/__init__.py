@@ -10,8 +10,10 @@ from leitmotion.view.plots import plot_figures, plot_matrix, plot_patterns
 from leitmotion.view.report import report_page
 from leitmotion.view.shared import shared_page, shared_payload
 from leitmotion.view.symmetry import plot_symmetry, symmetry_image
+from leitmotion.view.symmetry_payload import Mirroring
 
 __all__ = [
+    "Mirroring",
     "graph_document",
     "graphml",
     "page_payload",

@@ -49,6 +49,7 @@ def page_payload(
     labels_from: str = "",
     mirroring: Mirroring | str = NOT_COMPUTED,
     dynamics: Dynamics | None = None,
+    opens_with: str = "repeats",
 ) -> dict[str, Any]:
     """Turn the nouns into what the page holds.
 
@@ -71,6 +72,8 @@ def page_payload(
         Symmetry, or a sentence that says why there is none.
     dynamics : Dynamics, optional
         Of the body, for curves.
+    opens_with : {"repeats", "lesson", "symmetry"}
+        What the page shows first.
 
     Returns
     -------
@@ -92,6 +95,7 @@ def page_payload(
     near, near_distances = find_nearest(moments, rate, cap=cap / unit.per_value)
     return {
         "version": VERSION,
+        "opens_with": opens_with,
         "title": words.title(patterns),
         "lead": _lead(words.lead(patterns, seconds, body)),
         "source": {

@@ -48,6 +48,7 @@ def report_page(
     labels_from: str = "",
     mirroring: Mirroring | str = NOT_COMPUTED,
     dynamics: Dynamics | None = None,
+    opens_with: str = "repeats",
 ) -> str:
     """Draw what recurs in a recording as one HTML page that needs nothing beside it.
 
@@ -69,6 +70,8 @@ def report_page(
         Symmetry, or a sentence that says why there is none.
     dynamics : Dynamics, optional
         Of the body, for curves.
+    opens_with : {"repeats", "lesson", "symmetry"}
+        What the page shows first.
 
     Returns
     -------
@@ -90,6 +93,7 @@ def report_page(
             labels_from=labels_from,
             mirroring=mirroring,
             dynamics=dynamics,
+            opens_with=opens_with,
         )
     )
 

@@ -118,10 +118,12 @@ def _cells(distances: DoubleMetric) -> dict[str, Any]:
 
 
 def _speed(distances: DoubleMetric) -> dict[str, Any]:
-    """How fast the body moves, read from the identity axis: bytes, 254 is `most`, in whole degrees a second."""
+    """How fast the body moves, read from the identity axis: bytes, 254 is `most` in whole degrees a second, 255 unknown."""
     speed = np.degrees(axis_speed(distances))[:: -(-len(distances) // CELLS)]
-    most = float(np.ceil(np.percentile(speed, FASTEST))) or 1.0
-    return {"most": most, "values": array(np.rint(254 * np.minimum(speed / most, 1.0)), "u1")}
+    known = np.isfinite(speed)
+    most = float(np.ceil(np.percentile(speed[known], FASTEST))) if known.any() else 1.0
+    part = np.minimum(np.nan_to_num(speed) / max(most, 1.0), 1.0)
+    return {"most": max(most, 1.0), "values": array(np.where(known, np.rint(254 * part), 255), "u1")}
 
 
 def _lanes(found: Symmetry, held: Sequence[int | None], letters: Sequence[str]) -> list[dict[str, Any]]:

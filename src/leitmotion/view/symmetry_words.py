@@ -15,6 +15,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import NamedTuple
 
+from leitmotion.body import Body
 from leitmotion.discovery import SymmetrySpan
 from leitmotion.view.counting import clock, count_word, plural
 from leitmotion.view.words import Chip, Lead, listed
@@ -143,6 +144,7 @@ VERBS = {
     ),
     "favour": (" favours one side.", " favour one side.", ("favours one side", "favour one side")),
 }
+TRUNK = ("pelvis", "neck", "left_hip", "right_hip", "left_shoulder", "right_shoulder")
 SURE = 0.5  # confidence from which a stretch is more likely right than wrong
 LOOKED_FOR = (
     "Stretches that are their own mirror image at once, half a cycle later or backwards, and ways and postures that "
@@ -185,7 +187,7 @@ def symmetry_title(spans: Sequence[SymmetrySpan], letters: Sequence[str]) -> str
         return "Movements come back mirrored"
     if stretches["favour"]:
         return "No side mirrors the other"
-    return "No symmetry is clear here" if spans else "No symmetry shows here"
+    return "No symmetry is clear here" if _moving(spans) else "No symmetry shows here"
 
 
 def symmetry_lead(spans: Sequence[SymmetrySpan], letters: Sequence[str]) -> Lead:
@@ -221,7 +223,7 @@ def symmetry_lead(spans: Sequence[SymmetrySpan], letters: Sequence[str]) -> Lead
         pieces.append(f"{' ' if pieces else ''}{count} again with the sides exchanged.")
     if pieces:
         return _joined(pieces)
-    if spans:
+    if _moving(spans):
         return ("No stretch tells clearly how the two sides move together; what is uncertain is hatched.",)
     return ("No stretch was clear enough to say how the two sides move together.",)
 
@@ -264,6 +266,10 @@ def _mirrored_again(spans: Sequence[SymmetrySpan]) -> int:
     return _stretches(
         [span for span in spans if span.confidence >= SURE and span.motif == "reflected_path_repetition"]
     )
+
+
+def _moving(spans: Sequence[SymmetrySpan]) -> bool:
+    return any(span.motif != "stillness" for span in spans)
 
 
 def _covered(span: SymmetrySpan, others: Sequence[SymmetrySpan]) -> bool:
@@ -378,6 +384,28 @@ def span_name(span: SymmetrySpan, rate: float, letter: str, k: int, count: int) 
         f", and {span.partner[0] / rate:.1f} to {span.partner[1] / rate:.1f} seconds" if span.partner else ""
     )
     return f"{TOLD[span.motif].name}{within}, {k + 1} of {count}, {where}{again}"
+
+
+def no_symmetry(body: Body, why: str) -> str:
+    """Say in a sentence why a recording has no symmetry to show.
+
+    Parameters
+    ----------
+    body : Body
+        The person.
+    why : str
+        What was missed when it was looked for.
+
+    Returns
+    -------
+    str
+        The sentence.
+    """
+    if body.positions.shape[2] == 2:
+        return "Symmetry needs joints in three dimensions; this recording has two."
+    if not set(TRUNK) <= set(body.roles):
+        return "Symmetry needs a body whose trunk and sides are known; here they are not."
+    return f"The symmetry of this recording cannot be told: {why}"
 
 
 def half_alike(degrees: float) -> str:

@@ -128,12 +128,25 @@ function drawParts(pen) {
   }
 }
 
-// A name, or as much of its end as there is room for: recordings of one folder begin alike.
+// How many marks all recordings' names begin with alike, to the end of a word: what follows tells them apart.
+const alikeUpTo = (() => {
+  const [first, ...others] = clip.parts.map((part) => part.name);
+  let count = 0;
+  while (others.length && count < first.length && others.every((name) => name[count] === first[count])) count++;
+  return first.slice(0, count).search(/[^\W_]*$/);
+})();
+
+// A name, or as much as there is room for of what tells it from the others: its head and its end.
 function fitting(pen, name, room) {
-  if (pen.measureText(name).width <= room) return name;
-  let word = name;
-  while (word && pen.measureText("…" + word).width > room) word = word.slice(1);
-  return word.length > 1 ? "…" + word : "";
+  const fits = (word) => pen.measureText(word).width <= room;
+  if (fits(name)) return name;
+  const own = alikeUpTo && clip.parts.some((part) => part.name === name) ? name.slice(alikeUpTo) : name;
+  if (own !== name && fits("…" + own)) return "…" + own;
+  for (let kept = own.length - 1; kept > 1; kept--) {
+    const word = `${own.slice(0, Math.ceil(kept / 2))}…${own.slice(own.length - Math.floor(kept / 2))}`;
+    if (fits(word)) return word;
+  }
+  return "";
 }
 
 // Stretches as bars of 4 px along both edges: the bridge to the lanes.

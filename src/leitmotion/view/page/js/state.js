@@ -71,14 +71,15 @@ function drawNow() {
 }
 const cost = { last: 0, frames: 0 };
 
-// Of several recordings what they share stands beside the figure from the start.
-const opensWithLesson = several && Boolean(payload.lesson);
+// Of several recordings what they share stands beside the figure from the start, of one a lesson that was asked for.
+const opensWithLesson = (several || payload.opens_with === "lesson") && Boolean(payload.lesson);
+const openingView = payload.opens_with === "symmetry" && symmetry ? "symmetry" : "repeats";
 
 const short = (value, digits = 2) => String(Number(value.toFixed(digits)));
 
 function writeHash() {
   const parts = new URLSearchParams();
-  if (state.view !== "repeats") parts.set("view", state.view);
+  if (state.view !== openingView) parts.set("view", state.view);
   parts.set("t", short(state.time));
   if (state.held) parts.set("u", short(state.second));
   if (state.pattern !== null) parts.set("pattern", patterns[state.pattern].id);
@@ -115,7 +116,7 @@ function readHash(hash = location.hash) {
     const value = parts.has(key) ? Number(parts.get(key)) : NaN;
     return Number.isFinite(value) ? clamp(value, low, high) : fallback;
   };
-  state.view = views.some((view) => view.id === parts.get("view") && view.ready) ? parts.get("view") : "repeats";
+  state.view = views.some((view) => view.id === parts.get("view") && view.ready) ? parts.get("view") : openingView;
   state.time = number("t", openingTime(), 0, clip.last);
   state.second = number("u", null, 0, clip.last);
   state.held = state.second !== null;

@@ -1,0 +1,56 @@
+"""What the page shows beside the patterns: symmetry and dynamics, or why they cannot be told."""
+
+from __future__ import annotations
+
+from leitmotion.body import Body, Dynamics, dynamics
+from leitmotion.comparing import compare_with_mirror
+from leitmotion.describing import Recording, Roles
+from leitmotion.motion import DataError
+from leitmotion.symmetry import motifs_in
+from leitmotion.view import Mirroring
+from leitmotion.view.symmetry_words import no_symmetry
+
+
+def mirroring_of(recording: Recording, body: Body, body_map: Roles | None = None) -> Mirroring | str:
+    """Compare a recording with its mirror image, and find its motifs.
+
+    Parameters
+    ----------
+    recording : Motion, Trajectories or Body
+        One person.
+    body : Body
+        The person.
+    body_map : BodyMap or mapping of str, optional
+        Which joints or markers stand for which role.
+
+    Returns
+    -------
+    Mirroring or str
+        What the page shows, or a sentence that says why there is no symmetry to show.
+    """
+    try:
+        mirrored = compare_with_mirror(recording, body_map=body_map)
+        return Mirroring(motifs_in(mirrored, recording), mirrored.distances)
+    except DataError as error:
+        return no_symmetry(body, error.message)
+
+
+def dynamics_of(recording: Recording, body_map: Roles | None = None) -> Dynamics | None:
+    """Compute the dynamics of a recording, where they can be told.
+
+    Parameters
+    ----------
+    recording : Motion, Trajectories or Body
+        One person.
+    body_map : BodyMap or mapping of str, optional
+        Which joints or markers stand for which role.
+
+    Returns
+    -------
+    Dynamics or None
+        None of a recording without metres, or without the joints of a body.
+    """
+    try:
+        return dynamics(recording, body_map=body_map)
+    except DataError:
+        return None
