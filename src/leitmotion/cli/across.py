@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import contextlib
 from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -10,21 +9,19 @@ from typing import TYPE_CHECKING
 import click
 from click.core import ParameterSource
 
-from leitmotion.cli.batch import LeftOut, Outcome, attempt, line
-from leitmotion.cli.documents import Document, answer_document, as_line, error_document
-from leitmotion.cli.failures import Failure, explain, show_traceback
-from leitmotion.cli.inputs import Input, expand
+from leitmotion.cli.batch import Answer, Outcome
+from leitmotion.cli.documents import Document
+from leitmotion.cli.inputs import Input
 from leitmotion.cli.options import Options
 from leitmotion.cli.outputs import check_output, write_documents, write_figure
-from leitmotion.cli.printing import answer_console
 from leitmotion.cli.progress import Progress, compiling_noted
-from leitmotion.cli.recordings import Opened, open_one
+from leitmotion.cli.recordings import Opened
 from leitmotion.cli.sharing import remarks, shared_result, short_names, show_shared
+from leitmotion.cli.together import Gathered, answer_together
 
 if TYPE_CHECKING:
     from leitmotion.api import SharedPatterns
 
-VERB = "patterns"
 PICTURES = (".png", ".svg", ".pdf")
 TABLES = (".json", ".csv")
 ENDINGS = (*TABLES, ".html", ".npz", *PICTURES)
@@ -54,31 +51,18 @@ def answer_across(arguments: Sequence[str], options: Options) -> Outcome:
     Outcome
         The error documents of the inputs that failed, then the one document of all others.
     """
-    from leitmotion.io.formats import readable
-
     _check_options(options)
-    documents: list[Document] = []
-    with contextlib.ExitStack() as stack:
-        inputs = stack.enter_context(expand(arguments, readable()))
-        progress = stack.enter_context(Progress(len(inputs), quiet=options.quiet))
-        _check(inputs, options)
-        opened: list[tuple[Input, Opened]] = []
-        for given in inputs:
-            read = attempt(given, lambda one, told: open_one(one, options, told), progress)
-            progress.step()
-            if isinstance(read, Opened):
-                opened.append((given, read))
-            elif isinstance(read, LeftOut):
-                progress.hide()
-                progress.note(line(given, "Left out, as no recording", read.why, alone=False))
-            else:
-                progress.hide()
-                documents.append(_failed(given, read, options))
-        distinct, same = _distinct(opened)
-        documents.append(_together(inputs, distinct, same, options, progress))
+    outcome = answer_together(
+        "patterns",
+        arguments,
+        options,
+        lambda gathered, progress: _look(gathered, options, progress),
+        check=lambda inputs: _check(inputs, options),
+        several=True,
+    )
     if options.output is not None and options.output.suffix.lower() in TABLES:
-        write_documents(options.output, documents, COLUMNS, _rows)
-    return Outcome(documents, any("error" in document for document in documents))
+        write_documents(options.output, outcome.documents, COLUMNS, _rows)
+    return outcome
 
 
 def _check_options(options: Options) -> None:
@@ -108,84 +92,27 @@ def _check(inputs: Sequence[Input], options: Options) -> None:
         check_output(options.output, inputs, endings=ENDINGS, force=options.force)
 
 
-def _failed(given: Input, failure: Failure, options: Options) -> Document:
-    """Print why an input could not be read, and return its document."""
-    document = error_document(VERB, given, failure)
-    if options.traceback and failure.error is not None:
-        show_traceback(failure.error)
-    if options.as_json:
-        click.echo(as_line(document))
-    else:
-        click.echo(line(given, "Error", failure.text, alone=False), err=True)
-    return document
+def _look(gathered: Gathered, options: Options, progress: Progress) -> Answer:
+    """Search what could be read, and write what was found."""
+    found = _search(gathered, options, progress)
+    opened = [one for _, one in gathered.opened]
+    answer = Answer(
+        source=[one.source[0] for one in opened],
+        result=shared_result(found),
+        show=lambda console: show_shared(console, found),
+        parameters={**found.parameters, **gathered.parameters},
+        warnings=[*gathered.warnings, *remarks(found, [one.body for one in opened])],
+    )
+    if options.output is not None and options.output.suffix.lower() not in TABLES:
+        _write(options.output, found, gathered.opened, options, progress)
+    return answer
 
 
-def _distinct(opened: Sequence[tuple[Input, Opened]]) -> tuple[list[tuple[Input, Opened]], list[str]]:
-    """Those that differ, and a sentence about each that is one of them again: the same path, a copy, a link."""
-    kept: dict[tuple[object, ...], tuple[Input, Opened]] = {}
-    same: list[str] = []
-    for given, one in opened:
-        body = one.body
-        first = kept.setdefault(
-            (body.roles, body.rate, body.positions.shape, body.positions.tobytes()), (given, one)
-        )
-        if first[1] is one:
-            continue
-        again = (
-            "is named twice"
-            if first[0].shown == given.shown
-            else f"is the same recording as {first[0].shown}"
-        )
-        same.append(f"{given.shown} {again}, and was compared once.")
-    return list(kept.values()), list(dict.fromkeys(same))
-
-
-def _together(
-    inputs: Sequence[Input],
-    opened: Sequence[tuple[Input, Opened]],
-    same: Sequence[str],
-    options: Options,
-    progress: Progress,
-) -> Document:
-    """Search what could be read, print and write what was found, and return its document."""
-    read = [given for given, _ in opened]
-    try:
-        found = _search(opened, len(inputs), same, options, progress)
-        progress.hide()
-        warnings = [*same, *_warnings(opened), *remarks(found, [one.body for _, one in opened])]
-        document = answer_document(
-            VERB,
-            [one.source[0] for _, one in opened],
-            parameters={**found.parameters, **_how_read([one for _, one in opened])},
-            warnings=warnings,
-            result=shared_result(found),
-        )
-        if options.output is not None and options.output.suffix.lower() not in TABLES:
-            _write(options.output, found, opened, options, progress)
-    except (click.ClickException, click.exceptions.Exit, BrokenPipeError):
-        raise
-    except Exception as error:
-        progress.hide()
-        return _none_together(read or inputs, explain(error), options)
-    if options.as_json:
-        click.echo(as_line(document))
-        return document
-    show_shared(answer_console(), found)
-    for warning in warnings if not options.quiet else ():
-        click.echo(f"Note: {warning}", err=True)
-    return document
-
-
-def _search(
-    opened: Sequence[tuple[Input, Opened]],
-    asked: int,
-    same: Sequence[str],
-    options: Options,
-    progress: Progress,
-) -> SharedPatterns:
+def _search(gathered: Gathered, options: Options, progress: Progress) -> SharedPatterns:
     from leitmotion.api import find_shared_patterns
     from leitmotion.motion import DataError
 
+    opened, asked, same = gathered
     if len(opened) < 2 and same:
         raise DataError(
             f"There is only one recording to compare: {same[0].partition(', and')[0]}.",
@@ -204,32 +131,9 @@ def _search(
     with compiling_noted(progress):
         return find_shared_patterns(
             [one.body for _, one in opened],
-            names=short_names([given.shown for given, _ in opened]),
+            names=short_names(gathered.names),
             **searching,
         )
-
-
-def _none_together(inputs: Sequence[Input], failure: Failure, options: Options) -> Document:
-    """Print why nothing could be searched, and return the document."""
-    document = error_document(VERB, inputs[0], failure) | {"source": [{"path": one.shown} for one in inputs]}
-    if options.traceback and failure.error is not None:
-        show_traceback(failure.error)
-    if options.as_json:
-        click.echo(as_line(document))
-    else:
-        click.echo(failure.sentence, err=True)
-    return document
-
-
-def _how_read(opened: Sequence[Opened]) -> Document:
-    """What was said about reading, which is alike for all, and the window of each where any has one."""
-    told = {name: value for name, value in opened[0].parameters.items() if name != "window"}
-    windows = [one.parameters.get("window") for one in opened]
-    return told | ({"windows": windows} if any(windows) else {})
-
-
-def _warnings(opened: Sequence[tuple[Input, Opened]]) -> list[str]:
-    return [f"{given.shown}: {warning}" for given, one in opened for warning in one.warnings]
 
 
 def _write(
