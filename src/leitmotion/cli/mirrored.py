@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
 from leitmotion.cli.batch import Answer
 from leitmotion.cli.documents import SCORE_DIGITS, SECONDS_DIGITS, Document, curve, decimals, stretch
 from leitmotion.cli.inputs import Input
+from leitmotion.cli.mirror_options import MirrorOptions
 from leitmotion.cli.options import Options
 from leitmotion.cli.outputs import PICTURES, save_value, write_figure
 from leitmotion.cli.printing import print_table
@@ -28,18 +28,8 @@ COLUMNS = ("path", "frame", "time_s", "lopsidedness_deg", "speed_deg_s", "still"
 DEGREE_DIGITS = 4
 
 
-@dataclass(frozen=True)
-class MirrorOptions:
-    """How a recording is compared with its mirror image, and drawn."""
-
-    form: str = "square"
-    metric: str = "inner"
-    bias: str = "none"
-    beta: float | None = None
-
-
 def compare_mirrored(
-    given: Input, asked: MirrorOptions, options: Options, progress: Progress
+    given: Input, form: str, asked: MirrorOptions, options: Options, progress: Progress
 ) -> tuple[Answer, list[Document]]:
     """Answer how alike the moments of an input are to one another's mirror images, and make its rows of the table.
 
@@ -47,6 +37,8 @@ def compare_mirrored(
     ----------
     given : Input
         The recording.
+    form : str
+        Of the picture.
     asked : MirrorOptions
         How it is compared.
     options : Options
@@ -72,7 +64,7 @@ def compare_mirrored(
     kept = []
     if options.output is not None and options.output.suffix.lower() in (".npz", *PICTURES):
         progress.say(f"Writing {options.output.name}")
-        kept.append(_write(options.output, made.distances, asked.form))
+        kept.append(_write(options.output, made.distances, form))
     answer = Answer(
         source=opened.source,
         result=result,
@@ -180,6 +172,19 @@ def bias_entry(bias: SideBias | None) -> Document | None:
     }
 
 
+def bias_sentence(bias: Document | None) -> str:
+    """Say what was taken out; nothing where that was nothing."""
+    if bias is None:
+        return ""
+    from leitmotion.view.counting import plural
+
+    name, angle = max(bias["angles_deg"].items(), key=lambda one: one[1])
+    return (
+        f"The bias of the sides in the {bias['pose']} posture ({plural(bias['frames'], 'frame')}) is taken out: up to "
+        f"{angle:.1f}°, at the {name.replace('_', ' ')}."
+    )
+
+
 def bias_remarks(bias: SideBias | None) -> list[str]:
     """Say where the sides differ by more than a suit that sits askew."""
     if bias is None or not bias.too_large:
@@ -222,9 +227,5 @@ def _show(console: Console, result: Document) -> None:
     stretches = f", in {plural(len(result['still']), 'stretch')}" if result["still"] else ""
     told.append(("still", f"{result['still_share']:.1%}", f"of the time{stretches}"))
     print_table(console, ("", ">", ""), told)
-    if (bias := result["bias"]) is not None:
-        name, angle = max(bias["angles_deg"].items(), key=lambda one: one[1])
-        console.print(
-            f"The bias of the sides in the {bias['pose']} posture ({plural(bias['frames'], 'frame')}) is taken out: "
-            f"up to {angle:.1f}°, at the {name.replace('_', ' ')}."
-        )
+    if sentence := bias_sentence(result["bias"]):
+        console.print(sentence)

@@ -12,8 +12,9 @@ from leitmotion.cli import mirrored, postures
 from leitmotion.cli.batch import Answer, answer_each, finish
 from leitmotion.cli.documents import Document
 from leitmotion.cli.inputs import Input
-from leitmotion.cli.mirrored import MirrorOptions, compare_mirrored
-from leitmotion.cli.options import Options, Positive, as_json, common, examples, force, output, takes_inputs
+from leitmotion.cli.mirror_options import MirrorOptions, mirror_options
+from leitmotion.cli.mirrored import compare_mirrored
+from leitmotion.cli.options import Options, as_json, common, examples, force, output, takes_inputs
 from leitmotion.cli.outputs import PICTURES, TABLES, check_output, keep_table
 from leitmotion.cli.postures import compare_postures
 from leitmotion.cli.progress import Progress
@@ -48,26 +49,7 @@ OF_FILES = ("joint_rotations", "marker_posture")
     show_default=True,
     help="Of the picture of --symmetry.",
 )
-@click.option(
-    "--metric",
-    type=click.Choice(["inner", "geodesic"]),
-    default="inner",
-    show_default=True,
-    help="Of --symmetry: the cost of paper S, or the angle.",
-)
-@click.option(
-    "--bias",
-    type=click.Choice(["none", "mean", "standing"]),
-    default="none",
-    show_default=True,
-    help="Of --symmetry: the posture by which the bias of the sides is measured, and taken out.",
-)
-@click.option(
-    "--beta",
-    type=Positive(),
-    metavar="B",
-    help="Of --symmetry: how fast likeness falls with distance; by default as the recording tells.",
-)
+@mirror_options(of="--symmetry")
 @output(
     "Also write it, by the ending: .json (what is printed), .csv (a row per moment); of one input .npz (the matrix) "
     "or its picture as .png, .svg or .pdf."
@@ -76,7 +58,7 @@ OF_FILES = ("joint_rotations", "marker_posture")
 @as_json
 @common(searching=False, describing=True)
 def similarity(
-    inputs: tuple[str, ...], against: str | None, symmetry: bool, options: Options, **mirror: Any
+    inputs: tuple[str, ...], against: str | None, symmetry: bool, form: str, options: Options, **mirror: Any
 ) -> None:
     """Compare every moment of a recording with every other.
 
@@ -89,7 +71,9 @@ def similarity(
 
     def look(given: Input, progress: Progress) -> Answer:
         if symmetry:
-            answer, rows[given.shown] = compare_mirrored(given, MirrorOptions(**mirror), options, progress)
+            answer, rows[given.shown] = compare_mirrored(
+                given, form, MirrorOptions(**mirror), options, progress
+            )
         else:
             answer, rows[given.shown] = compare_postures(given, other, options, progress)
         return answer

@@ -14,6 +14,7 @@ from leitmotion.similarity.mirror import (
     likeness,
     link_angle,
     still_spans,
+    symmetry_index,
 )
 from leitmotion.similarity.on_demand import Distances
 from leitmotion.similarity.pairs import pair_distances
@@ -37,5 +38,6 @@ __all__ = [
     "self_distance",
     "shares_alike",
     "still_spans",
+    "symmetry_index",
     "warping_cost",
 ]

@@ -252,6 +252,39 @@ def likeness(distances: np.ndarray, beta: float) -> np.ndarray:
     return np.asarray(np.exp(-beta * np.asarray(distances)))
 
 
+def symmetry_index(found: DoubleMetric) -> float:
+    """Tell how symmetric a recording is on the whole: the mean of Z* over the mean of Z.
+
+    Parameters
+    ----------
+    found : DoubleMetric
+        T moments.
+
+    Returns
+    -------
+    float
+        About 1 where whatever is done is done to the other side as well, at once or at another time; 0 where nothing
+        comes near the mirror image of anything. NaN where nothing is seen.
+
+    Examples
+    --------
+    >>> same, other = np.zeros((2, 2)), np.full((2, 2), np.log(2.0))
+    >>> round(symmetry_index(DoubleMetric(same, other, "geodesic", 30.0, ("pelvis",), [1.0], beta=1.0)), 6)
+    0.5
+    """
+    own, mirror = (_mean_likeness(each, found.beta) for each in (found.own, found.mirror))
+    return mirror / own if own > 0 else float("nan")
+
+
+def _mean_likeness(distances: np.ndarray, beta: float) -> float:
+    total, known = 0.0, 0
+    for row in distances:  # no second matrix is made
+        seen = row[np.isfinite(row)]
+        total += float(likeness(seen, beta).sum(dtype=np.float64))
+        known += seen.size
+    return total / known if known else 0.0
+
+
 def identity_width(found: DoubleMetric) -> np.ndarray:
     """Read how wide the identity axis of Z is: how long the body stays half alike to what it is at each moment.
 
