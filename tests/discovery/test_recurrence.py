@@ -326,14 +326,19 @@ def closed(which, count=45, size=0.6):
 
 
 def in_turn(which, pause_s=0.8, sizes=None):
-    """Closed movements one after another, a pause after each; and where each begins and ends, seconds."""
+    """Closed movements one after another, a pause after each; and where each begins and ends, seconds.
+
+    One frame differs by a thousandth of the body, so that they are no loop of copies.
+    """
     parts, spans, at = [np.zeros((15, 9))], [], 15
     for k, joint in enumerate(which):
         movement = closed(joint, size=0.6 if sizes is None else sizes[k])
         parts += [movement, np.zeros((round(30 * pause_s), 9))]
         spans.append((at / 30, (at + len(movement)) / 30))
         at += len(movement) + len(parts[-1])
-    return FeatureSequence(np.concatenate(parts), ("a", "b", "c"), 30.0, ("place",), 3), spans
+    values = np.concatenate(parts)
+    values[0] += 0.001
+    return FeatureSequence(values, ("a", "b", "c"), 30.0, ("place",), 3), spans
 
 
 def shown_by(pattern, spans, rate=30.0):

@@ -19,6 +19,7 @@ from typing import Any
 import numpy as np
 
 from leitmotion.discovery.cuts import CUTS
+from leitmotion.discovery.loops import loop_of
 from leitmotion.discovery.moves import moves_of
 from leitmotion.discovery.pattern import Patterns
 from leitmotion.discovery.pauses import true_runs
@@ -157,6 +158,8 @@ def look(
 ) -> tuple[list[Found], dict[str, object]]:
     """Look for what recurs, and once more, farther, in what is left over.
 
+    A recording that is a loop of copies is one movement, and nothing is looked for within it.
+
     Each look judges what it found by its own distance: whether occurrences are alike, which decides what stays, and
     how near they are, which counts for the confidence. By the distance of the first look for both nothing is found
     better and the confidence fits less well, on the recordings that a method may be fitted on.
@@ -180,9 +183,13 @@ def look(
         What was not compared, where a recording is too long.
     """
     work = distances.features
+    scribe = Scribe(features, distances, criteria)
+    loop = loop_of(features, distances, scribe.alike, criteria.shortest)
+    if loop is not None:
+        return [scribe.cyclic(loop)], {}
     refine = Refiner(features, work.rate, criteria.max_distance)
     seen = search(distances, criteria, refine)
-    found, limits = Scribe(features, distances, criteria).describe(seen), seen.limits
+    found, limits = scribe.describe(seen), seen.limits
     left = _left_over(work, found, features.rate)
     if left is not None:
         wider = second_look.of(criteria)
