@@ -20,9 +20,18 @@ import numpy as np
 
 from leitmotion.discovery.forms import LEAST_EXTENT, Form, covered_by
 from leitmotion.discovery.pairs import Pair
+from leitmotion.discovery.sides import Sides, sides_of
 from leitmotion.discovery.waypoints import Waypoints
 
-SYMMETRIC, ASYMMETRIC = (0.3, 0.8), (0.85, 0.5)  # shares of symmetric postures: none of it, and all
+PARTING = (
+    0.12,
+    0.3,
+)  # share of a movement that is antisymmetric: symmetric up to one, asymmetric from the other
+ALTERNATING = 0.35, 0.6  # one side moves, both alternate
+LASTING = (
+    np.radians(10.0),
+    np.radians(16.0),
+)  # mean posture and mirror image: symmetric up to one, not from the other
 LEAST_CONFIDENCE = 0.1
 LESS_SPECIAL = 0.2  # of the confidence of an anti-palindrome, that being anti-phase besides says less
 IMPLIED = 0.6  # of a form, that another tells which implies it
@@ -92,8 +101,9 @@ def name_forms(forms: Sequence[Form], waypoints: Waypoints) -> list[tuple[Form, 
 
 def name_pair(motif: str, pair: Pair, waypoints: Waypoints) -> Named:
     """Name two stretches."""
-    share = min(_symmetric(waypoints, *pair.earlier), _symmetric(waypoints, *pair.later))
-    sure = _ramp(share, *ASYMMETRIC) if motif.startswith("reflected") else 1.0
+    sure = 1.0
+    if motif.startswith("reflected"):  # of what is symmetric the mirror image tells nothing new
+        sure = 1 - max(_symmetric(waypoints, *pair.earlier), _symmetric(waypoints, *pair.later))
     alike = float(np.degrees(waypoints.alike[pair.later[0] : pair.later[1] + 1].mean()))
     reason = f"The two are {pair.cost * alike:.1f}° of a mean link apart, {alike:.1f}° would be alike."
     return Named(motif, pair.earlier, sure * (1 - pair.cost**2), reason, partner=pair.later)
@@ -102,15 +112,14 @@ def name_pair(motif: str, pair: Pair, waypoints: Waypoints) -> Named:
 def name_loop(loop: Pair, waypoints: Waypoints) -> Named:
     """Name a way that comes back to where it began, once."""
     first, last = loop.earlier[0], loop.later[0]
-    share = _symmetric(waypoints, first, last)
-    motif, sure = _of_sides(share, *NAMES[False, False])
-    reason = f"It comes back once; {share:.0%} of its postures are symmetric."
+    motif, sure = _of_sides(_symmetric(waypoints, first, last), *NAMES[False, False])
+    reason = f"It comes back once; {_told_sides(waypoints, first, last)}."
     return Named(motif, (first, last), ONCE * sure * (1 - loop.cost**2), reason)
 
 
 def name_symmetric(forms: Sequence[Named], waypoints: Waypoints) -> list[Named]:
     """Name the movements through symmetric postures that no symmetric form tells."""
-    alike = symmetric_waypoints(waypoints)
+    alike = np.diagonal(waypoints.mirror) <= waypoints.alike
     for named in forms:
         if named.motif.startswith("symmetric"):
             alike[named.marks[0] : named.marks[-1] + 1] = False
@@ -118,32 +127,28 @@ def name_symmetric(forms: Sequence[Named], waypoints: Waypoints) -> list[Named]:
     found = []
     for first, stop in zip(edges[::2], edges[1::2], strict=True):
         stretch = slice(first, stop)
-        if np.nanmax(waypoints.own[stretch, stretch]) < LEAST_EXTENT * waypoints.alike[stretch].mean():
-            continue
-        ratio = np.diagonal(waypoints.mirror)[stretch] / waypoints.alike[stretch]
-        apart = float(np.degrees(np.diagonal(waypoints.mirror)[stretch].mean()))
-        reason = f"Its postures are {apart:.1f}° of a mean link from their mirror images."
-        found.append(
-            Named("symmetric_path", (int(first), int(stop) - 1), 1 - float(np.mean(ratio**2)), reason)
-        )
+        extent = waypoints.own[stretch, stretch].max() / waypoints.alike[stretch].mean()
+        sure = _symmetric(waypoints, int(first), int(stop) - 1)
+        if extent >= LEAST_EXTENT:
+            near = float(np.mean((np.diagonal(waypoints.mirror)[stretch] / waypoints.alike[stretch]) ** 2))
+            reason = (
+                f"It goes on through symmetric postures; {_told_sides(waypoints, int(first), int(stop) - 1)}."
+            )
+            found.append(Named("symmetric_path", (int(first), int(stop) - 1), sure * (1 - near), reason))
     return found
 
 
-def symmetric_waypoints(waypoints: Waypoints) -> np.ndarray:
-    """Tell the postures that are alike to their own mirror images, (K,) bool."""
-    alike: np.ndarray = np.diagonal(waypoints.mirror) <= waypoints.alike
-    return alike
-
-
 def _named(form: Form, waypoints: Waypoints) -> Named:
-    share = _symmetric(waypoints, form.first, form.last)
-    motif, sure = _of_sides(share, *NAMES[form.mirror, form.reversed])
+    motif, sure = _of_sides(_symmetric(waypoints, form.first, form.last), *NAMES[form.mirror, form.reversed])
+    if form.mirror:
+        sure = _ramp(_sides(waypoints, form.first, form.last).parting, *ALTERNATING)
     alike = float(np.degrees(waypoints.alike[form.first : form.last + 1].mean()))
     ways = len(form.marks) - 1
     what = "ways" if form.reversed else "half-cycles" if form.mirror else "cycles"
+    sides = _told_sides(waypoints, form.first, form.last)
     reason = (
         f"{ways} {what}, {form.cost * alike:.1f}° of a mean link apart{' mirrored' if form.mirror else ''}, "
-        f"{alike:.1f}° would be alike; {form.covered:.0%} of it is told, {share:.0%} of its postures are symmetric."
+        f"{alike:.1f}° would be alike; {form.covered:.0%} of it is told; {sides}."
     )
     cyclic = ways >= 2 * WAYS.get((form.mirror, form.reversed), 2)
     return Named(
@@ -151,14 +156,24 @@ def _named(form: Form, waypoints: Waypoints) -> Named:
     )
 
 
-def _of_sides(share: float, symmetric: str, asymmetric: str) -> tuple[str, float]:
-    degrees = {symmetric: _ramp(share, *SYMMETRIC), asymmetric: _ramp(share, *ASYMMETRIC)}
-    motif = max((name for name in degrees if name), key=lambda name: degrees[name])
-    return motif, degrees[motif]
+def _of_sides(symmetric: float, motif: str, asymmetric: str) -> tuple[str, float]:
+    return (motif, symmetric) if motif and symmetric >= 0.5 else (asymmetric, 1 - symmetric)
 
 
 def _symmetric(waypoints: Waypoints, first: int, last: int) -> float:
-    return float(symmetric_waypoints(waypoints)[first : last + 1].mean())
+    """How clearly a stretch is symmetric: both sides do the same, from postures that are about the same."""
+    sides = _sides(waypoints, first, last)
+    return _ramp(sides.parting, *PARTING[::-1]) * _ramp(sides.lasting, *LASTING[::-1])
+
+
+def _told_sides(waypoints: Waypoints, first: int, last: int) -> str:
+    sides = _sides(waypoints, first, last)
+    lasting = np.degrees(sides.lasting)
+    return f"the sides part in {sides.parting:.0%} of the movement, and differ by {lasting:.1f}° throughout"
+
+
+def _sides(waypoints: Waypoints, first: int, last: int) -> Sides:
+    return sides_of(waypoints.own, waypoints.products, first, last)
 
 
 def _ramp(value: float, zero: float, one: float) -> float:

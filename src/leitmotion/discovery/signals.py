@@ -104,6 +104,6 @@ def _extent(path: np.ndarray, waypoints: Waypoints) -> float:
     for column in path.T:
         start, stop = column.min(), column.max() + 1
         spans.append(
-            float(np.nanmax(waypoints.own[start:stop, start:stop]) / waypoints.alike[start:stop].mean())
+            float(np.max(waypoints.own[start:stop, start:stop]) / waypoints.alike[start:stop].mean())
         )
     return min(spans)

@@ -85,7 +85,7 @@ def find_symmetry(found: DoubleMetric, *, min_still_s: float = 0.5) -> Symmetry:
             "metric": found.metric,
             "beta": found.beta,
             "half_alike_deg": float(np.degrees(found.half_angle)),
-            "sides_differ_deg": float(np.degrees(waypoints.floor)),
+            "sides_differ_deg": float(np.degrees(np.median(waypoints.lasting))) if len(waypoints.at) else 0.0,
             "links": found.names,
         },
     )

@@ -12,12 +12,11 @@ from typing import NamedTuple
 
 import numpy as np
 
+from leitmotion.discovery.sides import antisymmetric, without_lasting
 from leitmotion.similarity import DoubleMetric
 from leitmotion.similarity.mirror import MOST
 
 STEP = 0.2  # of the angle of half likeness, between one waypoint and the next
-LARGEST_FLOOR = np.radians(8.0)  # by which both sides may differ throughout, of a mean link
-FLOOR_SHARE = 0.25  # quantile over the moments, of how near each comes to the mirror image of any
 LEAST = np.radians(6.5)  # what is alike at least, of a mean link
 REACH = np.radians(60.0)  # of way before and after, within which what a movement spans is told
 ALIKE_SHARE = 0.36  # of that extent, within which two moments are alike
@@ -31,11 +30,13 @@ class Waypoints(NamedTuple):
     own: np.ndarray
     """(K, K) float32 angle of each to each."""
     mirror: np.ndarray
-    """(K, K) float32 angle of each to the mirror image of each, less the floor."""
+    """(K, K) float32 angle of each to the mirror image of each, without what the sides differ by for long."""
+    products: np.ndarray
+    """(K, K) inner products of the antisymmetric parts (:func:`leitmotion.discovery.sides.antisymmetric`)."""
+    lasting: np.ndarray
+    """(K,) angle by which the sides differ for long around each."""
     alike: np.ndarray
     """(K,) float32 angle within which the posture is alike to another: a share of what the movement around it spans."""
-    floor: float
-    """What the two sides differ by throughout."""
 
     def left(self, k: int) -> int:
         """The last moment before the body has moved on from a waypoint."""
@@ -74,38 +75,29 @@ def find_waypoints(found: DoubleMetric) -> Waypoints:
     at = kernels.waypoints(found.own, np.float32(_distance(step, found.metric)))
     grid = np.ix_(at, at)
     own, mirror = (_angles(each[grid], found.metric) for each in (found.own, found.mirror))
-    floor = _floor(mirror)
-    mirror = np.sqrt(np.maximum(mirror**2 - np.float32(floor) ** 2, 0))
-    return Waypoints(at, own, mirror, _alike(own), floor)
+    products = antisymmetric(own.astype(np.float64), mirror)
+    way = np.concatenate(([0.0], np.cumsum(np.diagonal(own, 1))))[: len(at)]
+    since = np.searchsorted(way, way - REACH)
+    until = np.searchsorted(way, way + REACH, side="right")
+    mirror, lasting = without_lasting(own, products, since, until)
+    return Waypoints(at, own, mirror, products, lasting, _alike(own, since, until))
 
 
 def _angles(distances: np.ndarray, metric: str) -> np.ndarray:
-    if metric == "geodesic":
-        return distances
-    turned: np.ndarray = 2 * np.arccos(np.clip(1 - distances, -1, 1))
-    return turned
+    """The same as angles; moments that share no link are as far apart as can be."""
+    turned = distances if metric == "geodesic" else 2 * np.arccos(np.clip(1 - distances, -1, 1))
+    return np.nan_to_num(turned, nan=np.pi)
 
 
 def _distance(angle: float, metric: str) -> float:
     return angle if metric == "geodesic" else 1.0 - float(np.cos(angle / 2.0))
 
 
-def _floor(mirror: np.ndarray) -> float:
-    """How near the body comes to its mirror image, at most: what is left is a bias of the sides, or noise."""
-    if not mirror.size:
-        return 0.0
-    nearest = np.nanmin(np.where(np.isfinite(mirror), mirror, np.pi), axis=1)
-    return float(min(np.quantile(nearest, FLOOR_SHARE), LARGEST_FLOOR))
-
-
-def _alike(own: np.ndarray) -> np.ndarray:
-    """A share of what the movement spans before or after each waypoint, the lesser: what borders on it is not it."""
+def _alike(own: np.ndarray, since: np.ndarray, until: np.ndarray) -> np.ndarray:
+    """A share of what the movement spans before and after each waypoint."""
     count = len(own)
-    way = np.concatenate(([0.0], np.cumsum(np.nan_to_num(np.diagonal(own, 1)))))
-    since = np.searchsorted(way, way - REACH)
-    until = np.searchsorted(way, way + REACH, side="right")
     spans = np.array(
-        [(np.nanmax(own[k, since[k] : k + 1]), np.nanmax(own[k, k : until[k]])) for k in range(count)],
+        [(np.max(own[k, since[k] : k + 1]), np.max(own[k, k : until[k]])) for k in range(count)],
         dtype=np.float32,
     ).reshape(count, 2)
     spans[since == 0, 0] = spans[since == 0].max(axis=1, initial=0)

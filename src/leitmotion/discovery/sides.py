@@ -1,0 +1,118 @@
+"""Sides: how far left and right part in a movement, told from D and D* alone.
+
+Conventions
+-----------
+With Ψ = S + A of paper S, section 2.10, the squares of the angles are |S - S'|² + |A - A'|² in D, and in D*
+|S - S'|² + |A + A'|². Their difference is four times the inner product of two antisymmetric parts, from which follows
+all that is said here; it holds for small angles, and well enough for others. A *lasting* antisymmetric part is no
+movement: a suit that sits askew, a head that is held to one side.
+
+References
+----------
+Paper S, sections 2.10 and 2.13.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+LARGEST = np.radians(10.0)  # of a mean link, by which both sides may differ for long and be alike
+LEFT_OVER = np.radians(
+    5.0
+)  # that no posture may come nearer to a mirror image: noise, and the sides of a person
+NEAREST = 0.25  # quantile over the postures, of how near each comes to a mirror image
+
+
+class Sides(NamedTuple):
+    """What the sides of a stretch do."""
+
+    parting: float
+    """Share of its movement that is antisymmetric: 0 where both do the same, 1/2 where one moves, 1 where in turn.
+    """
+    lasting: float
+    """Angle of a mean link by which its mean posture differs from its mirror image."""
+
+
+def antisymmetric(own: np.ndarray, mirror: np.ndarray) -> np.ndarray:
+    """Inner products of the antisymmetric parts of postures.
+
+    Parameters
+    ----------
+    own, mirror : (K, K) float
+        Angles in D and in D*.
+
+    Returns
+    -------
+    (K, K) float
+        Radians squared.
+    """
+    products: np.ndarray = (mirror**2 - own**2) / 4
+    return products
+
+
+def sides_of(own: np.ndarray, products: np.ndarray, first: int, last: int) -> Sides:
+    """Tell what the sides of a stretch do.
+
+    Parameters
+    ----------
+    own : (K, K) float
+        Angles in D.
+    products : (K, K) float
+        Of :func:`antisymmetric`.
+    first, last : int
+        The stretch, the last included.
+
+    Returns
+    -------
+    Sides
+        NaN nowhere; of a stretch without movement nothing parts.
+    """
+    stretch = slice(first, last + 1)
+    inner = products[stretch, stretch]
+    mean = max(float(inner.mean()), 0.0)
+    whole = float((own[stretch, stretch] ** 2).mean()) / 2
+    parting = (float(np.diagonal(inner).mean()) - mean) / whole if whole > 0 else 0.0
+    return Sides(float(np.clip(parting, 0, 1)), 2 * float(np.sqrt(mean)))
+
+
+def without_lasting(
+    own: np.ndarray, products: np.ndarray, since: np.ndarray, until: np.ndarray
+) -> tuple[np.ndarray, np.ndarray]:
+    """Take out of D* what the sides differ by for long.
+
+    Parameters
+    ----------
+    own, products : (K, K) float
+        Angles in D, and what :func:`antisymmetric` makes.
+    since, until : (K,) int
+        Around each posture the stretch ``[since, until)`` of whose antisymmetric part the mean is taken out, or as much
+        of it as is no more than 10 degrees of a mean link.
+
+    Returns
+    -------
+    mirror : (K, K) float32
+        Angles in D* without it, and without what is left at least between any posture and a mirror image.
+    taken : (K,) float
+        What was taken out, as the angle from such a posture to its mirror image.
+    """
+    rows = _means(products, since, until)
+    lasting = 2 * np.sqrt(np.maximum(np.diagonal(_means(rows.T, since, until)), 0))
+    share = np.minimum(1.0, LARGEST / np.maximum(lasting, LARGEST))
+    part = products - share[:, None] * rows
+    part -= share * _means(part.T, since, until).T
+    size = np.diagonal(part)
+    before = np.diagonal(products)
+    alike = own**2 - (before[:, None] + before - 2 * products)  # of the symmetric parts
+    squares = np.maximum(alike + size[:, None] + size + 2 * part, 0)
+    left_over = min(float(np.quantile(squares.min(axis=1), NEAREST)), LEFT_OVER**2) if len(squares) else 0.0
+    mirror: np.ndarray = np.sqrt(np.maximum(squares - left_over, 0)).astype(np.float32)
+    return mirror, share * lasting
+
+
+def _means(values: np.ndarray, since: np.ndarray, until: np.ndarray) -> np.ndarray:
+    """Mean of the rows around each."""
+    summed = np.concatenate((np.zeros_like(values[:1]), np.cumsum(values, axis=0)))
+    means: np.ndarray = (summed[until] - summed[since]) / (until - since)[:, None]
+    return means
