@@ -106,7 +106,7 @@ def test_the_other_side_is_a_reflected_path():
     names = [span.motif for span in found.spans if span.confidence > 0.5]
     assert names.count("asymmetric_cycle") == 2
     assert "reflected_path_repetition" in names
-    assert "path_repetition" not in names
+    assert "anti_phase" not in names
 
 
 def test_an_offset_of_one_side_leaves_a_symmetric_movement_symmetric():

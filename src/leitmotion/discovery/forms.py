@@ -25,7 +25,14 @@ LEAST_EXTENT = 1.8  # of a path, over the angle within which postures are alike
 LARGEST_GAP = 0.35  # of a cycle, between two stretches that are one after the other
 SAME = 0.6  # of a run, that another covers which tells the same
 OUTER = 1.7  # ways: as much of the first and the last is told, where no further turn is seen
-MET = 0.5  # of a way, that a turn reaches into the next at least
+FEWEST_TURNS = 3  # that make a run: two ways there and two back
+PASSING = (
+    1.5  # times as much as a palindrome an anti-palindrome spans: what passes a symmetric posture is like one
+)
+MET, MET_IN_CYCLE = (
+    0.75,
+    0.4,
+)  # of a way, that a turn reaches into the next at least; where cycles tell the same
 
 
 class Form(NamedTuple):
@@ -54,6 +61,11 @@ class Form(NamedTuple):
         """Last waypoint."""
         return self.marks[-1]
 
+    @property
+    def way(self) -> float:
+        """Waypoints of a cycle, a half-cycle or a way between turns."""
+        return float(np.median(np.diff(self.marks)))
+
 
 def runs_of_cycles(
     signals: Sequence[Signal], waypoints: Waypoints, *, within: Sequence[Form] = ()
@@ -78,13 +90,13 @@ def runs_of_cycles(
     found: list[Form] = []
     for signal in sorted(joined, key=lambda each: float(np.median(np.diff(each.path)))):
         form = _run(signal, waypoints)
-        shorter = [*found, *(run for run in within if _way(run) <= (1 + LARGEST_GAP) * _way(form))]
+        shorter = [*found, *(run for run in within if run.way <= (1 + LARGEST_GAP) * form.way)]
         if sum(covered_by(form, run) for run in shorter) < SAME:
             found.append(form)
     return found
 
 
-def runs_of_turns(signals: Sequence[Signal], waypoints: Waypoints) -> list[Form]:
+def runs_of_turns(signals: Sequence[Signal], waypoints: Waypoints, cycles: Sequence[Form]) -> list[Form]:
     """Tell palindromes from reversed signals that meet the identity axis, anti-palindromes from those in D*.
 
     Parameters
@@ -93,39 +105,39 @@ def runs_of_turns(signals: Sequence[Signal], waypoints: Waypoints) -> list[Form]
         Reversed, all of D or all of D*.
     waypoints : Waypoints
         K waypoints.
+    cycles : sequence of Form
+        Runs of cycles, or in D* of half-cycles, as which turns that follow one another show as well.
 
     Returns
     -------
     list of Form
-        Turns that follow one another, with the way between them in the reach of either, are one form.
+        Three turns or more that follow one another, with the way between two in the reach of both, are one form; of
+        others each is one.
     """
     far = waypoints.first_far
     turns = sorted(
         (
             signal
             for signal in signals
-            if signal.extent >= LEAST_EXTENT and signal.later[0] <= far[signal.earlier[1]]
+            if _spans(signal, waypoints) >= LEAST_EXTENT and signal.later[0] <= far[signal.earlier[1]]
         ),
         key=_turn,
     )
-    found, chain = [], turns[:1]
-    for signal in turns[1:]:
-        if _follows(chain[-1], signal):
-            chain.append(signal)
+    chains: list[list[Signal]] = []
+    for signal in turns:
+        if chains and _follows(chains[-1][-1], signal, cycles):
+            chains[-1].append(signal)
         else:
-            found.append(_chain(chain, waypoints))
-            chain = [signal]
-    return [*found, _chain(chain, waypoints)] if chain else found
+            chains.append([signal])
+    long = [_chain(chain, waypoints) for chain in chains if len(chain) >= FEWEST_TURNS]
+    short = [_chain([signal], waypoints) for chain in chains if len(chain) < FEWEST_TURNS for signal in chain]
+    return long + [form for form in short if sum(covered_by(form, run) for run in long) < SAME]
 
 
 def covered_by(one: Form, other: Form) -> float:
     """Share of a form that lies in another."""
     both = min(one.last, other.last) - max(one.first, other.first)
     return max(both, 0) / max(one.last - one.first, 1)
-
-
-def _way(form: Form) -> float:
-    return float(np.median(np.diff(form.marks)))
 
 
 def _joins(signal: Signal) -> bool:
@@ -153,28 +165,38 @@ def _filled(stretch: np.ndarray) -> np.ndarray:
     return np.arange(stretch.min(), stretch.max() + 1)
 
 
+def _spans(signal: Signal, waypoints: Waypoints) -> float:
+    """What a turn spans, over what is alike: one way of a palindrome, both of an anti-palindrome."""
+    if not signal.mirror:
+        return signal.extent
+    stretch = slice(signal.earlier[0], signal.later[1] + 1)
+    return float(waypoints.own[stretch, stretch].max() / waypoints.alike[stretch].mean()) / PASSING
+
+
 def _turn(signal: Signal) -> float:
     return (signal.earlier[1] + signal.later[0]) / 2
 
 
-def _follows(one: Signal, other: Signal) -> bool:
-    """Whether the way between two turns lies in the reach of either, of one all of it and of the other half."""
+def _follows(one: Signal, other: Signal, cycles: Sequence[Form]) -> bool:
+    """Whether the way between two turns lies in the reach of both; a part is enough where cycles have such ways."""
     here, there = _turn(one), _turn(other)
     way = there - here
     if way <= 0:
         return False
-    ahead = (one.later[1] - here) / way
-    behind = (there - other.earlier[0]) / way
-    return min(ahead, behind) >= MET and max(ahead, behind) >= 1 - LARGEST_GAP
+    ways = 1 if one.mirror else 2
+    cyclic = any(
+        cycle.first <= here and there <= cycle.last and abs(cycle.way - ways * way) <= LARGEST_GAP * cycle.way
+        for cycle in cycles
+    )
+    reach = min(one.later[1] - here, there - other.earlier[0])
+    return reach >= (MET_IN_CYCLE if cyclic else MET) * way
 
 
 def _chain(turns: list[Signal], waypoints: Waypoints) -> Form:
     first, last = turns[0], turns[-1]
     marks = [round(_turn(signal)) for signal in turns]
     start, stop = first.earlier[0], last.later[1]
-    if (
-        len(marks) > 1
-    ):  # of the outer ways no more than as much as one way, which is where a turn not seen would be
+    if len(marks) > 1:
         way = float(np.median(np.diff(marks)))
         start = max(start, round(marks[0] - OUTER * way))
         stop = min(stop, round(marks[-1] + OUTER * way))

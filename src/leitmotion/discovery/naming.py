@@ -33,6 +33,7 @@ LASTING = (
     np.radians(16.0),
 )  # mean posture and mirror image: symmetric up to one, not from the other
 LEAST_CONFIDENCE = 0.1
+IN_GENERAL = 0.9  # of the confidence of what is told more fully, that what it implies has at most
 LESS_SPECIAL = 0.2  # of the confidence of an anti-palindrome, that being anti-phase besides says less
 IMPLIED = 0.6  # of a form, that another tells which implies it
 ONCE = 0.6  # of the confidence that what came back once has, since nothing shows that it would again
@@ -118,11 +119,13 @@ def name_loop(loop: Pair, waypoints: Waypoints) -> Named:
 
 
 def name_symmetric(forms: Sequence[Named], waypoints: Waypoints) -> list[Named]:
-    """Name the movements through symmetric postures that no symmetric form tells."""
+    """Name the movements through symmetric postures; one that symmetric forms tell is less sure than they."""
     alike = np.diagonal(waypoints.mirror) <= waypoints.alike
+    special = np.zeros(len(alike))
     for named in forms:
         if named.motif.startswith("symmetric"):
-            alike[named.marks[0] : named.marks[-1] + 1] = False
+            told = special[named.marks[0] : named.marks[-1] + 1]
+            np.maximum(told, named.confidence, out=told)
     edges = np.flatnonzero(np.diff(np.concatenate(([0], alike.astype(int), [0]))))
     found = []
     for first, stop in zip(edges[::2], edges[1::2], strict=True):
@@ -131,10 +134,13 @@ def name_symmetric(forms: Sequence[Named], waypoints: Waypoints) -> list[Named]:
         sure = _symmetric(waypoints, int(first), int(stop) - 1)
         if extent >= LEAST_EXTENT:
             near = float(np.mean((np.diagonal(waypoints.mirror)[stretch] / waypoints.alike[stretch]) ** 2))
+            sure *= 1 - near
+            if (special[stretch] > 0).mean() >= IMPLIED:
+                sure = min(sure, IN_GENERAL * special[stretch].max())
             reason = (
                 f"It goes on through symmetric postures; {_told_sides(waypoints, int(first), int(stop) - 1)}."
             )
-            found.append(Named("symmetric_path", (int(first), int(stop) - 1), sure * (1 - near), reason))
+            found.append(Named("symmetric_path", (int(first), int(stop) - 1), float(sure), reason))
     return found
 
 

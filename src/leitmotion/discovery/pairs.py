@@ -17,7 +17,12 @@ from leitmotion.discovery.signals import Signal
 from leitmotion.discovery.waypoints import Waypoints
 
 INSIDE = 0.8  # of both stretches, that lie in one form: their likeness is the form's
+OVERLAP = 0.1  # of a stretch, up to which two that follow one another may overlap
+PART = 1.5  # cycles of a form, up to which likeness within it is not the form's own
+LONG = 3.0  # times as long as a loop a cycle is, of which the loop is a part of its own
+AS_GOOD = 0.8  # of the gain of the best, with which a nearer pair is told instead
 TOLD = 0.5  # of a later stretch, that was told already
+TWICE = 3  # marks of two cycles
 SAME_STATE = 0.6  # of what is alike, within which a posture has come back
 LEFT = 2.0  # of what is alike, beyond which it had been left
 
@@ -32,7 +37,7 @@ class Pair(NamedTuple):
 
 
 def pairs_of_paths(signals: Sequence[Signal], forms: Sequence[Form]) -> list[Pair]:
-    """Tell the paths that come back, each later stretch with the earlier one that it is like for the longest.
+    """Tell the paths that come back, each later stretch with one that it is like for about the longest, the nearest.
 
     Parameters
     ----------
@@ -46,20 +51,25 @@ def pairs_of_paths(signals: Sequence[Signal], forms: Sequence[Form]) -> list[Pai
     list of Pair
         Of two stretches that do not overlap.
     """
+    apart = [
+        signal
+        for signal in signals
+        if signal.extent >= LEAST_EXTENT
+        and _shared(signal.earlier, signal.later) <= OVERLAP * _length(signal.later)
+        and not any(_explains(form, signal) for form in forms)
+    ]
     found: list[Pair] = []
-    told: set[int] = set()
-    for signal in signals:
-        earlier, later = signal.earlier, signal.later
-        stretch = set(range(later[0], later[1] + 1))
-        if (
-            signal.extent < LEAST_EXTENT
-            or later[0] <= earlier[1]
-            or any(_inside(earlier, form) and _inside(later, form) for form in forms)
-            or len(stretch & told) > TOLD * len(stretch)
-        ):
+    for best in apart:
+        if sum(_shared(pair.later, best.later) for pair in found) > TOLD * _length(best.later):
             continue
-        told |= stretch
-        found.append(Pair(earlier, later, signal.cost))
+        like = [
+            signal
+            for signal in apart
+            if _gain(signal) >= AS_GOOD * _gain(best)
+            and _shared(signal.later, best.later) >= AS_GOOD * _length(best.later)
+        ]
+        nearest = max(like, key=lambda signal: signal.earlier[1])
+        found.append(Pair(nearest.earlier, nearest.later, nearest.cost))
     return found
 
 
@@ -79,7 +89,7 @@ def loops(apart: np.ndarray, waypoints: Waypoints, forms: Sequence[Form]) -> lis
     -------
     list of Pair
         The posture and its return, a waypoint each, the shortest way between first; ways do not overlap, and no form
-        lies in one for the greater part.
+        of shorter ways shares one for the greater part.
     """
     near = apart / np.minimum.outer(waypoints.alike, waypoints.alike)
     back = []
@@ -95,6 +105,7 @@ def loops(apart: np.ndarray, waypoints: Waypoints, forms: Sequence[Form]) -> lis
         if not any(
             _shared(whole, (form.first, form.last)) > TOLD * min(way, form.last - form.first)
             for form in forms
+            if form.reversed or form.way <= LONG * way
         ) and all(_shared(whole, (pair.earlier[0], pair.later[0])) == 0 for pair in found):
             found.append(Pair((i, i), (j, j), cost))
     return found
@@ -102,6 +113,22 @@ def loops(apart: np.ndarray, waypoints: Waypoints, forms: Sequence[Form]) -> lis
 
 def _shared(one: tuple[int, int], other: tuple[int, int]) -> int:
     return max(min(one[1], other[1]) - max(one[0], other[0]), 0)
+
+
+def _length(stretch: tuple[int, int]) -> int:
+    return stretch[1] - stretch[0]
+
+
+def _gain(signal: Signal) -> float:
+    return len(signal.path) * (1 - signal.cost)
+
+
+def _explains(form: Form, signal: Signal) -> bool:
+    """Whether a form tells the likeness of two stretches itself: not of parts of a cycle, nor of two cycles in all."""
+    inside = _inside(signal.earlier, form) and _inside(signal.later, form)
+    twice = not (form.mirror or form.reversed) and len(form.marks) == TWICE
+    whole = signal.later[1] - signal.earlier[0]
+    return inside and whole > PART * form.way and not (twice and not signal.reversed)
 
 
 def _inside(stretch: tuple[int, int], form: Form) -> bool:

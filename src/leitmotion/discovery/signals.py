@@ -20,6 +20,7 @@ from leitmotion.discovery.waypoints import Waypoints
 
 CEILING = 8.0  # waypoints that a path can lose before it ends, whatever it gained
 LEAST_GAIN = 1.5  # of a signal, in waypoints that are the same
+LOOSE, LOOSEST = 2.0, 0.4  # times the usual cost of a path, but no less: beyond it an end is cut off
 BAND = 3  # waypoints beside a signal in which no other runs
 
 
@@ -90,12 +91,20 @@ def find_signals(waypoints: Waypoints, *, mirror: bool, reverse: bool) -> list[S
         if gain <= LEAST_GAIN:
             continue
         kernels.take(taken, traced, BAND)
+        traced = _trimmed(traced, apart)
         cells = traced.copy()
         if reverse:
             cells[:, 1] = count - 1 - cells[:, 1]
         cost = float(apart[traced[:, 0], traced[:, 1]].mean())
         found.append(Signal(cells, mirror, reverse, cost, _extent(cells, waypoints)))
     return found
+
+
+def _trimmed(path: np.ndarray, apart: np.ndarray) -> np.ndarray:
+    """The path without its ends in which the likeness fades: past a posture that both reach their ways still part."""
+    cost = apart[path[:, 0], path[:, 1]]
+    near = np.flatnonzero(cost <= max(LOOSE * float(np.median(cost)), LOOSEST))
+    return path[near[0] : near[-1] + 1]
 
 
 def _extent(path: np.ndarray, waypoints: Waypoints) -> float:

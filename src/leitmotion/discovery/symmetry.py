@@ -65,11 +65,12 @@ def find_symmetry(found: DoubleMetric, *, min_still_s: float = 0.5) -> Symmetry:
         for reverse in (False, True)
     }
     cycles = runs_of_cycles(signals[False, False], waypoints)
+    halves = runs_of_cycles(signals[True, False], waypoints, within=cycles)
     forms = [
         *cycles,
-        *runs_of_cycles(signals[True, False], waypoints, within=cycles),
-        *runs_of_turns(signals[False, True], waypoints),
-        *runs_of_turns(signals[True, True], waypoints),
+        *halves,
+        *runs_of_turns(signals[False, True], waypoints, cycles),
+        *runs_of_turns(signals[True, True], waypoints, halves),
     ]
     told = name_forms(forms, waypoints)
     named = [each for _, each in told]
