@@ -95,8 +95,11 @@ def reduced(stops: Sequence[Sequence[Stop]], atlas: Atlas) -> Walked:
 def _through(walked: Walked) -> dict[int, set[tuple[Gone, Gone]]]:
     """By state, the ways into it and on; those of its mirror image as they are seen in the mirror."""
     through: dict[int, set[tuple[Gone, Gone]]] = {stop.orbit: set() for row in walked.stops for stop in row}
+    turns = {orbit for orbit in through if sum(stop.told for stop in walked.at(orbit)) > 1}
     for row, gone in zip(walked.stops, walked.gone, strict=True):
         for stop, into, out in zip(row[1:-1], gone[:-1], gone[1:], strict=True):
+            if stop.orbit in turns and not stop.told:
+                continue  # where a body halts tells more of a state than where it happens to pass
             pair, image = (into, out), (walked.image(into), walked.image(out))
             seen = min(pair, image) if stop.side == 0 else pair if stop.side == 1 else image
             through[stop.orbit].add(seen)
