@@ -15,7 +15,8 @@ RETURNED = (
 )
 ALIKE = 0.5  # of the least way between two postures, within which they are the same
 LOOSEST = np.radians(20.0)
-PASSED, CLOSEST, SPREAD = 0.7, 0.25, 2.5  # reach of a state: of what is alike, and of how far its visits are apart
+# reach of a state: between these shares of what is alike, so many times as far as its visits are apart
+CLOSEST, PASSED, SPREAD = 0.25, 0.7, 2.5
 ASKEW = np.radians(8.0)  # lopsidedness that may be how a suit sits
 
 
@@ -170,12 +171,16 @@ def _passes(nodes: list[_Node], whose: dict[int, int], start: int, stop: int, al
             runs.append((which, int(t), int(t)))
     stops = [_stop(nodes[which], away[which], start, runs, k, alike) for k, (which, _, _) in enumerate(runs)]
     return [
-        one._replace(told=any(one.start <= member < one.stop for member, node in whose.items() if node == run[0]))
+        one._replace(
+            told=any(one.start <= member < one.stop for member, node in whose.items() if node == run[0])
+        )
         for one, run in zip(stops, runs, strict=True)
     ]
 
 
-def _stop(node, away, start, runs, k, alike) -> Stop:
+def _stop(
+    node: _Node, away: np.ndarray, start: int, runs: list[tuple[int, int, int]], k: int, alike: float
+) -> Stop:
     """How long a state is held around a run: as long as it is about as near as ever."""
     _, first, last = runs[k]
     before = runs[k - 1][2] + 1 if k else 0
