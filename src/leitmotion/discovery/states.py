@@ -14,6 +14,7 @@ RETURNED = (
     0.6  # of the farthest way between: two halts nearer than that are a return, others are two postures
 )
 ALIKE = 0.5  # of the least way between two postures, within which they are the same
+APART = 1.5  # times what is half alike, from which two postures count as apart
 LOOSEST = np.radians(20.0)
 # reach of a state: between these shares of what is alike, so many times as far as its visits are apart
 CLOSEST, PASSED, SPREAD = 0.25, 0.7, 2.5
@@ -67,13 +68,12 @@ def apart_of(moments: Moments, candidates: Sequence[int], extents: Sequence[floa
         ):
             continue
         chord, way = own[a, b], own[a, a : b + 1].max()
-        if chord > RETURNED * way and chord > 0.6 * moments.half:
+        if chord > max(RETURNED * way, APART * moments.half):
             chords.append(chord)
     chords += [0.8 * extent for extent in extents]
-    least = 0.6 * moments.half
     if not chords:
         return float(moments.half)
-    return float(np.clip(ALIKE * np.percentile(chords, 10), least, LOOSEST))
+    return float(np.clip(ALIKE * np.percentile(chords, 10), moments.half, LOOSEST))
 
 
 def cluster(moments: Moments, candidates: Sequence[int], alike: float) -> Orbits:

@@ -9,7 +9,7 @@ from leitmotion.similarity import align
 
 DEEP = np.log(2.2)  # by which the speed sinks at a halt, beneath the lesser of the peaks around it
 SLOWEST = 0.08  # of the peak speed: what is slower is still
-CENTRE = 0.55  # of the lopsidedness around it, which a centre of symmetry has at most
+CENTRE = 0.35  # of the lopsidedness around it, which a centre of symmetry has at most
 ANTI = 0.4  # of the lopsidedness around it, by which what follows a centre differs from the image of what came before
 
 
