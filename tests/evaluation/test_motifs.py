@@ -27,6 +27,9 @@ OPPOSITES = {
 }
 
 
+IMPLIED = (("butterfly", "symmetric_path"), ("jumping jacks", "symmetric_path"))
+
+
 def truth(name, seed=None):
     found = compose_motif(name, seed=seed or 0, rate=30.0, **({"variation": None} if seed is None else {}))
     return [GoneStep(*step) for step in found.steps], [MotifSpan(*span) for span in found.spans]
@@ -61,6 +64,8 @@ def test_the_truth_itself_is_right(name, seed):
 def test_each_motif_that_is_left_out_is_missed(name):
     steps, asked = truth(name)
     for k in range(len(asked)):
+        if (name, asked[k].motif) in IMPLIED:
+            continue
         assert evaluate_motifs([*asked[:k], *asked[k + 1 :]], asked, steps).missed == (asked[k],)
 
 

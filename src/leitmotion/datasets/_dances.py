@@ -114,7 +114,7 @@ def side_kicks() -> Dance:
     kick = through([stance, drawn, out, down, stance], (0.0, 0.30, 0.54, 0.76, 1.0))
     ways = {
         "aa": Way("A", "A", kick, 1.5),
-        "ax": Way("A", "X", across([stance, 0.5 * (stance + square), square]), 0.70, (True, False)),
+        "ax": Way("A", "X", across([stance, 0.5 * (stance + square), square]), 0.50, (True, False)),
     }
     switch = (Step("ax"), Step("ax", reversed=True, mirrored=True))
     motifs = (
@@ -157,9 +157,6 @@ def sun_salutation() -> Dance:
         pelvis_pitch=1.22, hip=-0.35, knee=0.02, ankle=0.95, trunk_pitch=-0.85, flexion=0.50, elbow=0.05, wrist=1.45,
         head_pitch=-0.55, hands=2.0,
     )  # fmt: skip
-    rising = posture(
-        **tucked, pelvis_pitch=1.42, hip=0.55, knee=0.30, flexion=1.70, elbow=0.05, head_pitch=0.10
-    )
     tuck = posture(
         pelvis_pitch=1.55,
         trunk_pitch=0.55,
@@ -176,7 +173,7 @@ def sun_salutation() -> Dance:
         "xt": Way("X", "T", through([x, t]), 1.5, symmetric=True),
         "tw": Way("T", "W", through([t, w]), 1.0, symmetric=True),
         "wv": Way("W", "V", through([w, lunge, v]), 2.0),
-        "vv": Way("V", "V", through([v, low, arch, rising, v]), 3.0, symmetric=True),
+        "vv": Way("V", "V", through([v, low, arch, v], (0.0, 0.36, 0.70, 1.0)), 3.0, symmetric=True),
         "vw": Way("V", "W", through([v, tuck, w]), 1.2, symmetric=True),
     }
     order = ["yx", "xy", "yy", "yy'", "yx", "xt", "tw", "wv", "vv", "vw", "wt", "tx", "xy"]
@@ -186,8 +183,8 @@ def sun_salutation() -> Dance:
         Motif(name, (first + at, last + at), widest=widest and (widest[0] + at, widest[1] + at))
         for at in (0, 13)
         for name, first, last, widest in (
-            ("symmetric_palindrome", 0, 2, None),
-            ("symmetric_palindrome", 2, 4, (1, 5)),
+            ("symmetric_palindrome", 0, 2, (0, 5)),
+            ("symmetric_palindrome", 2, 4, (0, 5)),
             ("symmetric_cycle", 8, 9, None),
         )
     )

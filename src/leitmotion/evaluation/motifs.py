@@ -2,12 +2,17 @@
 
 Conventions
 -----------
-Frames are half-open. A motif is *found* when one of its name is told with the same cyclic flag of a stretch that
-overlaps it by half (intersection over union), or that covers half of it and lies by half within what it may reach. Of
-symmetric paths and of pairs, several told ones may do so together, and no flag is compared. Stillness is found when
-half of it is covered: its borders are soft. A motif is *false* when it is told with a confidence of one half or more
-of a stretch that does not carry it (:func:`leitmotion.evaluation.motif_truth.carries`); what follows from another by
-definition is carried, though nobody asked for it.
+Frames are half-open. Only what is told with a confidence of one half or more counts.
+
+A motif is *false* when it is told of a stretch that does not carry it
+(:func:`leitmotion.evaluation.motif_truth.carries`); what follows from another by definition is carried, though nobody
+asked for it.
+
+A motif is *found* when one of its name is told with the same cyclic flag of a stretch that overlaps it by half
+(intersection over union), or that covers half of it and lies by half within what it may reach; of one that may reach
+farther than it must, the flag is not compared. Symmetric paths and pairs may be told in parts, half of which must be
+covered. Stillness is found when half of it is covered: its borders are soft. What is said by another motif
+(:data:`IMPLIED_BY`) need not be told besides.
 
 References
 ----------
@@ -24,13 +29,14 @@ from leitmotion.motion.errors import ParameterError
 
 OVERLAP = 0.5
 CONFIDENT = 0.5
-TOGETHER = (
-    "symmetric_path",
-    "path_repetition",
-    "path_reversal",
-    "reflected_path_repetition",
-)
-"""Motifs that several told ones may make up together."""
+IMPLIED_BY = {
+    "symmetric_path": ("symmetric_cycle", "symmetric_palindrome"),
+    "symmetric_cycle": ("state_repetition",),
+    "asymmetric_cycle": ("state_repetition",),
+    "path_repetition": ("symmetric_cycle", "asymmetric_cycle"),
+}
+"""Motifs that say what another asks for: a symmetric cycle is a symmetric path; a loop that is gone once is told by the
+return to its state as well; a cycle that goes on repeats its path."""
 
 
 class MotifScores(NamedTuple):
@@ -42,6 +48,7 @@ class MotifScores(NamedTuple):
     """Told of stretches that do not carry them."""
     asked: int
     told: int
+    """With confidence."""
 
     @property
     def right(self) -> bool:
@@ -89,12 +96,10 @@ def evaluate_motifs(
         _check(span)
     sure = [span for span in told if span.confidence >= CONFIDENT]
     course = Course.of(steps)
-    return MotifScores(
-        tuple(span for span in asked if not _found(span, sure)),
-        tuple(span for span in sure if not carries(course, span)),
-        len(asked),
-        len(sure),
-    )
+    false = tuple(span for span in sure if not carries(course, span))
+    true = [span for span in sure if span not in false]
+    missed = tuple(span for span in asked if not _found(span, true))
+    return MotifScores(missed, false, len(asked), len(sure))
 
 
 def _check(span: MotifSpan) -> None:
@@ -109,9 +114,24 @@ def _check(span: MotifSpan) -> None:
 
 def _found(asked: MotifSpan, told: Sequence[MotifSpan]) -> bool:
     named = [span for span in told if span.motif == asked.motif]
-    if asked.motif in TOGETHER:
-        return _found_together(asked, named)
+    implying = [span for span in told if span.motif in IMPLIED_BY.get(asked.motif, ())]
+    if asked.partner is not None:
+        return _found_pair(asked, asked.partner, named) or any(
+            _goes_on(asked, asked.partner, span) for span in implying
+        )
+    if not asked.cyclic:
+        named += [_whole(span) for span in implying]
+    if asked.motif == "symmetric_path":
+        return _found_in_parts(asked, named)
     return any(_hits(asked, span) for span in named)
+
+
+def _whole(span: MotifSpan) -> MotifSpan:
+    """Take a pair as one stretch, from the beginning of its first to the end of its second."""
+    if span.partner is None:
+        return span
+    first, last = min(span.start, span.partner[0]), max(span.stop, span.partner[1])
+    return span._replace(start=first, stop=last, partner=None)
 
 
 def _hits(asked: MotifSpan, span: MotifSpan) -> bool:
@@ -122,25 +142,32 @@ def _hits(asked: MotifSpan, span: MotifSpan) -> bool:
     either = _length(core) + _length(other) - shared
     inside = _shared(asked.widest or core, other) >= OVERLAP * _length(other)
     overlaps = shared >= OVERLAP * either or (shared >= OVERLAP * _length(core) and inside)
-    return overlaps and span.cyclic == asked.cyclic
+    longer = asked.widest not in (None, core) and not asked.cyclic
+    return overlaps and (span.cyclic == asked.cyclic or longer)
 
 
-def _found_together(asked: MotifSpan, named: Sequence[MotifSpan]) -> bool:
+def _found_in_parts(asked: MotifSpan, named: Sequence[MotifSpan]) -> bool:
     core = (asked.start, asked.stop)
-    if asked.partner is None:
-        parts = [(span.start, span.stop) for span in named]
-        inside = [part for part in parts if _shared(core, part) >= OVERLAP * _length(part)]
-        return _covered(core, inside) >= OVERLAP * _length(core)
-    pairs = []
-    for span in named:
-        ways = ((span.start, span.stop), span.partner or core)
-        for first, second in (ways, ways[::-1]):
-            if _shared(core, first) and _shared(asked.partner, second):
-                pairs.append((first, second))
+    parts = [(span.start, span.stop) for span in named]
+    inside = [part for part in parts if _shared(core, part) >= OVERLAP * _length(part)]
+    return _covered(core, inside) >= OVERLAP * _length(core)
+
+
+def _found_pair(asked: MotifSpan, partner: Stretch, named: Sequence[MotifSpan]) -> bool:
+    core = (asked.start, asked.stop)
+    ways = [((span.start, span.stop), span.partner or core) for span in named]
+    pairs = [(a, b) for way in ways for a, b in (way, way[::-1]) if _shared(core, a) and _shared(partner, b)]
     return all(
         _covered(whole, [pair[k] for pair in pairs]) >= OVERLAP * _length(whole)
-        for k, whole in enumerate((core, asked.partner))
+        for k, whole in enumerate((core, partner))
     )
+
+
+def _goes_on(asked: MotifSpan, partner: Stretch, span: MotifSpan) -> bool:
+    """Whether a cycle that goes on covers both stretches of a pair."""
+    told = (span.start, span.stop)
+    both = ((asked.start, asked.stop), partner)
+    return span.cyclic and all(_shared(told, each) >= OVERLAP * _length(each) for each in both)
 
 
 def _length(stretch: Stretch) -> int:
