@@ -7,6 +7,12 @@ from leitmotion.evaluation.motion_graphs import GraphPath, GraphShape, GraphStat
 from leitmotion.evaluation.pattern_scores import MEASURES, PatternScores, RunCount, interval, pool
 from leitmotion.evaluation.pattern_truth import FoundPatterns, PatternTruth
 from leitmotion.evaluation.patterns import evaluate_patterns, linked, owners
+from leitmotion.evaluation.symmetry import (
+    SymmetryLabel,
+    SymmetryScores,
+    SymmetryVerdict,
+    evaluate_symmetry,
+)
 from leitmotion.evaluation.tang2008 import PaperErrorRates, paper_error_rates
 
 __all__ = [
@@ -25,10 +31,14 @@ __all__ = [
     "PatternScores",
     "PatternTruth",
     "RunCount",
+    "SymmetryLabel",
+    "SymmetryScores",
+    "SymmetryVerdict",
     "equal_error_rate",
     "errors_at",
     "evaluate_motifs",
     "evaluate_patterns",
+    "evaluate_symmetry",
     "interval",
     "linked",
     "owners",
