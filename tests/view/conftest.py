@@ -10,12 +10,13 @@ from typing import Any, NamedTuple
 import numpy as np
 import pytest
 
-from leitmotion.body import Body, embody
+from leitmotion.body import Body, dynamics, embody
 from leitmotion.datasets import compose_session
-from leitmotion.discovery import Pattern, PatternPair, Patterns
+from leitmotion.discovery import Pattern, PatternPair, Patterns, Symmetry, SymmetrySpan
+from leitmotion.features import kinematic_chain
 from leitmotion.motion import Segmentation
-from leitmotion.similarity import SimilarityMatrix
-from leitmotion.view import report_page
+from leitmotion.similarity import SimilarityMatrix, double_metric
+from leitmotion.view import Mirroring, report_page
 
 RATE = 30.0
 BROWSERS = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable", "chrome")
@@ -101,6 +102,50 @@ def known() -> Known:
     session = compose_session(rate=RATE)
     body = embody(session.motion)
     return Known(body.replace(name="practice"), patterns_of(session), eq2(body), session.stretches)
+
+
+def motifs_of(session: Any) -> Symmetry:
+    """The truth of a session as motifs: walks, jacks and kicks, and the left kick again as a right one."""
+    spans = []
+    whole = {label: [] for _, _, label, _ in session.stretches}
+    for start, stop, label, _ in session.stretches:
+        whole[label].append((start, stop))
+    forms = (("walk", "anti_phase"), ("jumping jack", "symmetric_palindrome"), ("squat", "symmetric_cycle"))
+    for label, motif in (*forms, ("left side kick", "asymmetric_palindrome")):
+        for first, last in whole[label]:
+            inside = [
+                (a, b) for a, b, name, _ in session.cycles if name == label and first <= a and b <= last
+            ]
+            halves = sorted({moment for a, b in inside for moment in (a, (a + b) // 2, b)})
+            marks = (
+                sorted({moment for pair in inside for moment in pair}) if motif.endswith("cycle") else halves
+            )
+            sure = 0.4 if motif.startswith("asymmetric") else 0.9
+            spans.append(
+                SymmetrySpan(motif, first, last, sure, cyclic=True, marks=marks, reason=f"truth of {label}")
+            )
+    left, right = whole["left side kick"][0], whole["right side kick"][0]
+    spans.append(
+        SymmetrySpan("reflected_path_repetition", *left, 0.8, partner=right, reason="truth of kicks")
+    )
+    spans += [SymmetrySpan("stillness", *span, 1.0, reason="truth of still") for span in whole["still"]]
+    spans.sort(key=lambda span: span.start)
+    return Symmetry(tuple(spans), RATE, len(session.motion), {}, strikes=[900, 930])
+
+
+@pytest.fixture(scope="session")
+def mirroring() -> Mirroring:
+    """The composed session beside its mirror image, with its truth as motifs."""
+    session = compose_session(rate=RATE)
+    return Mirroring(motifs_of(session), double_metric(kinematic_chain(session.motion)))
+
+
+@pytest.fixture(scope="session")
+def symmetric_page(known: Known, mirroring: Mirroring, folder: Path) -> Path:
+    """The page of the known session with its symmetry and its dynamics."""
+    page = known.page(mirroring=mirroring, dynamics=dynamics(compose_session(rate=RATE).motion))
+    (folder / "symmetric.html").write_text(page, encoding="utf-8")
+    return folder / "symmetric.html"
 
 
 @pytest.fixture(scope="session")

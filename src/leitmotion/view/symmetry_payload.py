@@ -80,23 +80,20 @@ def symmetry_payload(
     letters = ["" if k is None else patterns.patterns[k].id for k in held]
     compared = [role for role in ANALYSIS_ROLES if role in body.roles and mirror_role(role) in body.roles]
     apart = mirror_distance(posture(body, roles=compared)) * body.size * metres
-    told = (
-        {"factor": 100.0, "unit": "cm"}
-        if body.unit == "m"
-        else {"factor": 100 / (body.size * metres), "unit": "% of body size"}
-    )
+    factor, unit = (100.0, "cm") if body.unit == "m" else (100 / (body.size * metres), "% of body size")
+    seen = apart[np.isfinite(apart)]
     index = {role: r for r, role in enumerate(body.roles)}
     return {
         "title": symmetry_title(found.spans, letters),
         "lead": _pieces(symmetry_lead(found.spans, letters)),
-        "empty": empty_symmetry(float(np.nanmedian(apart)) * told["factor"], told["unit"]),
+        "empty": empty_symmetry(float(np.median(seen)) * factor if len(seen) else None, unit),
         "looked_for": LOOKED_FOR,
         "half": half_alike(float(np.degrees(distances.half_angle))),
         "beta": distances.beta,
         "matrix": _cells(distances),
         "partner": [index.get(mirror_role(role), -1) for role in body.roles],
         "compared": [index[role] for role in compared],
-        "told": told,
+        "told": {"factor": factor, "unit": unit},
         "lopsidedness": {"quantum": QUANTUM, "values": _quanta(apart[::step])},
         "speed": _speed(distances),
         "still": [[a / distances.rate, b / distances.rate] for a, b, _, _ in still_spans(distances)],
@@ -118,7 +115,7 @@ def _cells(distances: DoubleMetric) -> dict[str, Any]:
 
 
 def _speed(distances: DoubleMetric) -> dict[str, Any]:
-    """How fast the body moves, read from the identity axis: bytes, 254 is `most` in whole degrees a second, 255 unknown."""
+    """How fast the body moves, by the identity axis: bytes, 254 is `most` in whole degrees a second, 255 unknown."""
     speed = np.degrees(axis_speed(distances))[:: -(-len(distances) // CELLS)]
     known = np.isfinite(speed)
     most = float(np.ceil(np.percentile(speed[known], FASTEST))) if known.any() else 1.0

@@ -219,8 +219,8 @@ def symmetry_lead(spans: Sequence[SymmetrySpan], letters: Sequence[str]) -> Lead
             pieces.append((" " if pieces else "") + told[0].upper() + told[1:])
     again = _mirrored_again(spans)
     if again:
-        count = "One stretch comes" if again == 1 else f"{count_word(again).capitalize()} stretches come"
-        pieces.append(f"{' ' if pieces else ''}{count} again with the sides exchanged.")
+        come = "One stretch comes" if again == 1 else f"{count_word(again).capitalize()} stretches come"
+        pieces.append(f"{' ' if pieces else ''}{come} again with the sides exchanged.")
     if pieces:
         return _joined(pieces)
     if _moving(spans):
@@ -249,7 +249,9 @@ def _claims(
             sure[kind].append((span, letter))
     chief = {letter: max(of, key=lambda kind, of=of: of[kind]) for letter, of in weights.items()}  # type: ignore[misc]
     ways: dict[str, list[str]] = {}
-    loose, stretches, before = {}, {}, []
+    loose: dict[str, int] = {}
+    stretches: dict[str, int] = {}
+    before: list[SymmetrySpan] = []
     for kind in KINDS:
         lettered = {letter for _, letter in sure[kind] if letter}
         ways[kind] = sorted(letter for letter in lettered if chief[letter] == kind)
@@ -429,13 +431,13 @@ def half_alike(degrees: float) -> str:
     return f"half alike at {degrees:.0f}° a link"
 
 
-def empty_symmetry(apart: float, unit: str) -> str:
+def empty_symmetry(apart: float | None, unit: str) -> str:
     """Say that no motif was found, and what the view shows all the same.
 
     Parameters
     ----------
-    apart : float
-        How far the body is from its own mirror image half of the time, in the unit told.
+    apart : float or None
+        How far the body is from its own mirror image half of the time, in the unit told, where that is known.
     unit : str
         That unit.
 
@@ -446,7 +448,7 @@ def empty_symmetry(apart: float, unit: str) -> str:
     """
     far = (
         f" Half of the time it is more than {apart:.1f} {unit} from its own mirror image."
-        if apart == apart
+        if apart is not None
         else ""
     )
     return (
