@@ -118,7 +118,7 @@ DRAWN_RATE = 30.0
 """Frames per second that the page draws."""
 MOST_MOMENTS = 6000
 """Moments that the page's matrix compares at most: 3 minutes at 30 a second, 144 MB."""
-OPENINGS = ("repeats", "lesson", "symmetry")
+OPENINGS = ("repeats", "lesson", "symmetry", "graph")
 """What a page can show first."""
 LONGEST_NAME = 200
 """Bytes of a page's default name at most; file systems take 255 with the ending."""
@@ -339,7 +339,7 @@ def report(
         As for :func:`find_patterns`; by default those by which the given patterns were found, else posture and equal.
     joints, exclude, body_map, swap_sides
         As for :func:`find_patterns`.
-    opens_with : {"repeats", "lesson", "symmetry"}
+    opens_with : {"repeats", "lesson", "symmetry", "graph"}
         What the page shows first; repeats where there is no such thing to show.
     force : bool
         Whether an ``.html`` file that Leitmotion did not write may be replaced.
@@ -365,7 +365,7 @@ def report(
     >>> lm.report(lm.read("dance.bvh"), "dance.html")       # doctest: +SKIP
     PosixPath('dance.html')
     """
-    from leitmotion.paging import dynamics_of, mirroring_of
+    from leitmotion.paging import dynamics_of, graph_of, mirroring_of
     from leitmotion.similarity import self_distance
     from leitmotion.view import report_page
     from leitmotion.view.report import check_page
@@ -398,6 +398,7 @@ def report(
         labels_from=labels_from,
         mirroring=mirroring_of(recording, body, body_map),
         dynamics=dynamics_of(recording, body_map),
+        graph=graph_of(recording, body, body_map),
         opens_with=opens_with,
     )
     write_whole(target, page)

@@ -1,13 +1,16 @@
-"""What the page shows beside the patterns: symmetry and dynamics, or why they cannot be told."""
+"""What the page shows beside the patterns: symmetry, dynamics and motion graph, or why they cannot be told."""
 
 from __future__ import annotations
 
 from leitmotion.body import Body, Dynamics, dynamics
 from leitmotion.comparing import compare_with_mirror
 from leitmotion.describing import Recording, Roles
+from leitmotion.discovery import MotionGraph
+from leitmotion.graphing import motion_graph
 from leitmotion.motion import DataError
 from leitmotion.symmetry import motifs_in
 from leitmotion.view import Mirroring
+from leitmotion.view.graph_words import no_graph
 from leitmotion.view.symmetry_words import no_symmetry
 
 
@@ -54,3 +57,26 @@ def dynamics_of(recording: Recording, body_map: Roles | None = None) -> Dynamics
         return dynamics(recording, body_map=body_map)
     except DataError:
         return None
+
+
+def graph_of(recording: Recording, body: Body, body_map: Roles | None = None) -> MotionGraph | str:
+    """Draw the motion graph of a recording with its mirror images.
+
+    Parameters
+    ----------
+    recording : Motion, Trajectories or Body
+        One person.
+    body : Body
+        The person.
+    body_map : BodyMap or mapping of str, optional
+        Which joints or markers stand for which role.
+
+    Returns
+    -------
+    MotionGraph or str
+        What the page shows, or a sentence that says why there is no graph.
+    """
+    try:
+        return motion_graph(recording, racemize=True, body_map=body_map)
+    except DataError as error:
+        return no_graph(body, error.message)

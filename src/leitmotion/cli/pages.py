@@ -50,7 +50,7 @@ def write_page(
         Where they are from.
     notes : sequence of str
         What else the person should know, about the labels.
-    opens_with : {"repeats", "lesson", "symmetry"}
+    opens_with : {"repeats", "lesson", "symmetry", "graph"}
         What the page shows first.
 
     Returns

@@ -30,7 +30,7 @@ SAMPLES = np.linspace(0, 1, 41)
 ALONG = (0.5, 0.42, 0.58, 0.34, 0.66, 0.26, 0.74, 0.18, 0.82)
 LETTER, LINE = 0.15, 0.26  # width of a letter and height of a name
 SLIM = 0.6  # of that: a star, a bracket, a subscript
-OVER_A_CARD, ON_A_CURVE, ACROSS, CROWDED, BEND, AWAY = 15.0, 1.5, 3.0, 1.0, 1.0, 0.6
+OVER_A_CARD, ON_A_CURVE, ACROSS, CROWDED, TOGETHER, BEND, AWAY = 15.0, 1.5, 3.0, 1.0, 0.6, 1.0, 0.6
 
 
 class Layout(NamedTuple):
@@ -194,6 +194,10 @@ class _Drawing:
                 over = (np.abs(points[:, None] - others) < HALF + AIR).all(axis=2)
                 trouble += OVER_A_CARD * over.any(axis=0).sum() + over.sum() / len(points)
             beside = laid + [points_of(other) for key, other in fresh.items() if key != name]
+            tips = [tip for other in beside for tip in (other[0], other[-1])]
+            trouble += TOGETHER * sum(
+                bool(np.hypot(*(tip - end)) < AIR) for tip in tips for end in (points[0], points[-1])
+            )
             middle = points[len(points) // 2]
             trouble += CROWDED * sum(
                 _names_touch(name, middle, other, points_of(there)[len(SAMPLES) // 2])

@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 
 from leitmotion.body import ANALYSIS_ROLES, LINKS, ROLES, Body, Dynamics
-from leitmotion.discovery import Pattern, Patterns, make_lesson
+from leitmotion.discovery import MotionGraph, Pattern, Patterns, make_lesson
 from leitmotion.features import posture
 from leitmotion.motion import ParameterError, Segmentation
 from leitmotion.similarity import SimilarityMatrix
@@ -24,6 +24,8 @@ from leitmotion.view.arrays import array
 from leitmotion.view.choose import MISSING, choose_key, choose_strips, find_nearest, floor_height, look_across
 from leitmotion.view.curve_payload import curves_payload
 from leitmotion.view.distances import distance_cap, how_told
+from leitmotion.view.graph_payload import graph_payload
+from leitmotion.view.graph_words import NOT_COMPUTED as NO_GRAPH
 from leitmotion.view.lesson import step_payload
 from leitmotion.view.symmetry_payload import Mirroring, symmetry_payload
 from leitmotion.view.symmetry_words import NOT_COMPUTED
@@ -49,6 +51,7 @@ def page_payload(
     labels_from: str = "",
     mirroring: Mirroring | str = NOT_COMPUTED,
     dynamics: Dynamics | None = None,
+    graph: MotionGraph | str = NO_GRAPH,
     opens_with: str = "repeats",
 ) -> dict[str, Any]:
     """Turn the nouns into what the page holds.
@@ -72,7 +75,9 @@ def page_payload(
         Symmetry, or a sentence that says why there is none.
     dynamics : Dynamics, optional
         Of the body, for curves.
-    opens_with : {"repeats", "lesson", "symmetry"}
+    graph : MotionGraph or str
+        States and paths, or a sentence that says why there are none.
+    opens_with : {"repeats", "lesson", "symmetry", "graph"}
         What the page shows first.
 
     Returns
@@ -122,6 +127,7 @@ def page_payload(
         "symmetry": {"none": mirroring}
         if isinstance(mirroring, str)
         else symmetry_payload(body, patterns, mirroring, step=step, metres=unit.draw),
+        "graph": {"none": graph} if isinstance(graph, str) else graph_payload(body, graph),
         "curves": None if dynamics is None else curves_payload(dynamics, step=step),
         "strips": [array(chosen / rate, "f4") for chosen in choose_strips(moments, STRIP_COUNTS)],
         "empty": None

@@ -19,9 +19,10 @@ from pathlib import Path
 from typing import Any
 
 from leitmotion.body import Body, Dynamics
-from leitmotion.discovery import Patterns
+from leitmotion.discovery import MotionGraph, Patterns
 from leitmotion.motion import ParameterError, Segmentation
 from leitmotion.similarity import SimilarityMatrix
+from leitmotion.view.graph_words import NOT_COMPUTED as NO_GRAPH
 from leitmotion.view.payload import page_payload
 from leitmotion.view.symmetry_payload import Mirroring
 from leitmotion.view.symmetry_words import NOT_COMPUTED
@@ -30,7 +31,7 @@ SCRIPTS = (
     "data", "theme", "state", "words", "views", "space", "mirror", "figure", "stage", "differences", "cameras",
     "matrix", "matrix_mirror", "stripes", "pointing", "timeline", "sheets", "row_strip", "row_lanes", "row_motifs",
     "row_shared", "row_labels", "row_curve", "panel", "panel_mirror", "table", "table_motifs", "save", "play",
-    "lesson", "beside", "keys", "main",
+    "lesson", "beside", "graph", "graph_field", "graph_list", "row_graph", "table_graph", "keys", "main",
 )  # fmt: skip
 """The parts of the script, in the order in which they are joined: each uses only those before it when it loads."""
 
@@ -48,6 +49,7 @@ def report_page(
     labels_from: str = "",
     mirroring: Mirroring | str = NOT_COMPUTED,
     dynamics: Dynamics | None = None,
+    graph: MotionGraph | str = NO_GRAPH,
     opens_with: str = "repeats",
 ) -> str:
     """Draw what recurs in a recording as one HTML page that needs nothing beside it.
@@ -70,7 +72,9 @@ def report_page(
         Symmetry, or a sentence that says why there is none.
     dynamics : Dynamics, optional
         Of the body, for curves.
-    opens_with : {"repeats", "lesson", "symmetry"}
+    graph : MotionGraph or str
+        States and paths, racemized where it can be, or a sentence that says why there are none.
+    opens_with : {"repeats", "lesson", "symmetry", "graph"}
         What the page shows first.
 
     Returns
@@ -93,6 +97,7 @@ def report_page(
             labels_from=labels_from,
             mirroring=mirroring,
             dynamics=dynamics,
+            graph=graph,
             opens_with=opens_with,
         )
     )

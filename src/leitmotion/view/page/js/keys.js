@@ -16,6 +16,10 @@ addEventListener("keydown", (event) => {
   else if (CAMERAS[Number(key) - 1]) setCamera(CAMERAS[Number(key) - 1]);
   else if (key === "?") toggleHelp();
   else if (letter === "M" && !several) showView(state.view === "symmetry" ? "repeats" : "symmetry");
+  else if (letter === "G" && graph) showView(state.view === "graph" ? "repeats" : "graph");
+  else if (state.view === "graph" && (letter === "N" || letter === "P")) stepItem(letter === "N" ? 1 : -1);
+  else if (state.view === "graph" && letter === "I" && isRacemized) toggleImages();
+  else if (state.view === "graph" && stateOfKey(letter, event.shiftKey)) chooseItem(stateOfKey(letter, event.shiftKey).name);
   else if ((letter === "N" || letter === "P") && state.view === "symmetry") stepSpan(letter === "N" ? 1 : -1);
   else if (state.view !== "repeats" && letter && "LR".includes(letter)) return;
   else if (letter === "L" && lessonSteps.length) showLesson(!state.lesson);
@@ -37,6 +41,7 @@ function escape() {
   if (closeSheet()) return;
   if (state.held || state.hover) release();
   else if (state.span !== null) clearSpan();
+  else if (state.item !== null) clearItem();
   else if (state.pattern !== null) clearPattern();
 }
 

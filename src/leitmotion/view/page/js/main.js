@@ -103,6 +103,8 @@ buildControls();
 buildHelp();
 buildSaves();
 buildForms();
+buildGraphField();
+buildGraphList();
 buildTimeline();
 buildTable();
 buildLesson();
@@ -138,6 +140,7 @@ window.leitmotion = Object.freeze({
   },
   stripes: stripes.map(({ pattern, path }) => ({ pattern, path: Array.from(path) })),
   compare,
+  overlaid: overlaidOn,
   // Draw the frame of now at once and tell how many milliseconds it took.
   draw() {
     redraw();

@@ -30,11 +30,12 @@ function lopsidednessAt(time) {
 }
 
 // The mirror image in the plane through the pelvis that the body faces along: sides exchanged, left for right.
+const mirrorPartner = payload.symmetry?.partner ?? payload.graph?.partner;
 function mirrorPosture(posture, facing, out) {
   const root = rootOf(posture);
   const [nx, nz] = [Math.cos(facing), -Math.sin(facing)];
   for (let r = 0; r < clip.count; r++) {
-    const from = symmetry.partner[r];
+    const from = mirrorPartner[r];
     if (from < 0) {
       out.fill(NaN, 3 * r, 3 * r + 3);
       continue;

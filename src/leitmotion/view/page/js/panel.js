@@ -15,6 +15,10 @@ on("frame", () => {
 function drawPanel() {
   panel.drawn = performance.now();
   const pair = pairOnShow();
+  if (isGraphShown()) {
+    sayNow(pair);
+    return;
+  }
   const key = pair ? `${pair.one} ${pair.two} ${pair.mirrored}` : `${frameAt(state.time)}`;
   if (key !== panel.key) {
     panel.key = key;
@@ -110,6 +114,7 @@ function sayNow(pair) {
 
 function nowSentence() {
   if (state.view === "symmetry") return nowInTheMirrorSentence();
+  if (state.view === "graph") return graphSentence();
   const held = stretchAt(state.time);
   const [near] = nearestTo(state.time);
   const inside = held ? `, in ${patternName(held.pattern)}` : "";

@@ -15,7 +15,7 @@ function goTo(time) {
 function play() {
   if (state.playing) return;
   if (!state.held && state.take !== null) rewindTakes();
-  if (!state.held && state.pattern === null && state.span === null && state.time >= lastOf(state.time) - 1e-6) state.time = partOf(state.time).start;
+  if (!state.held && state.pattern === null && state.span === null && state.item === null && state.time >= lastOf(state.time) - 1e-6) state.time = partOf(state.time).start;
   if (state.held && state.stripe === null) {
     const near = stripeNear(state.time, state.second);
     if (near) holdAlong(near.stripe, near.step);
@@ -49,7 +49,8 @@ function advance(seconds) {
   if (state.held) {
     if (state.stripe !== null) walkStripe(seconds);
     else shiftPair(seconds);
-  } else if (state.span !== null) loopSpan(seconds);
+  } else if (itemNow()) loopItem(seconds);
+  else if (state.span !== null) loopSpan(seconds);
   else if (state.take !== null) playTakes(seconds);
   else if (state.pattern !== null) loopPattern(seconds);
   else {
@@ -91,7 +92,7 @@ function choosePattern(p, stretch = null) {
   }
   const inside = stretchAt(state.time, p);
   state.pattern = p;
-  Object.assign(state, { span: null, take: null, held: false, second: null, stripe: null, hover: null });
+  Object.assign(state, { span: null, item: null, visit: 0, take: null, held: false, second: null, stripe: null, hover: null });
   state.loop = stretch ?? (inside ? inside.stretch : 0);
   if (stretch !== null || !inside) state.time = patterns[p].stretches[state.loop].start;
   keepHash();
@@ -161,10 +162,17 @@ on("change", () => {
   $("play-shape").setAttribute("d", state.playing ? "M4 3h3v10H4zM9 3h3v10H9z" : "M4.5 2.6v10.8L13 8z");
   for (const button of $("speeds").children) button.setAttribute("aria-pressed", Number(button.dataset.speed) === state.speed);
   const looping = $("looping");
-  const chosen = state.pattern !== null || state.span !== null;
+  const times = itemNow();
+  const chosen = state.pattern !== null || state.span !== null || times !== null;
   looping.hidden = !chosen;
   $("hints").hidden = chosen;
   if (!chosen) return;
+  if (times) {
+    const { item, lead } = times;
+    const which = `, ${times.times.indexOf(lead) + 1} of ${times.times.length}${lead.back ? ", back" : ""}${lead.mirrored ? ", mirrored" : ""}`;
+    looping.replaceChildren("Looping ", make("b", "", nameMarks(item)), which);
+    return;
+  }
   if (state.span !== null) {
     const span = motifSpans[state.span];
     const { name, spans } = symmetry.lanes[span.lane];

@@ -5,7 +5,7 @@ const lanes = [];
 
 (() => {
   if (!patterns.length) {
-    timeRows.push({ order: 35, views: ["repeats", "graph"], element: make("div", "row empty", make("p", "", payload.empty)) });
+    timeRows.push({ order: 35, views: ["repeats"], element: make("div", "row empty", make("p", "", payload.empty)) });
     return;
   }
   if (several) return;

@@ -26,7 +26,7 @@ function tableText() {
   return csv(lines);
 }
 
-const isTable = () => (state.view === "symmetry" ? motifSpans : patterns).length > 0;
+const isTable = () => ({ symmetry: motifSpans, graph: graphItems }[state.view] ?? patterns).length > 0;
 
 // Flatten layers onto the surface, at the density at which they are drawn.
 function picture(name, ...layers) {
@@ -60,8 +60,8 @@ async function copyAddress() {
 const SAVES = [
   ["Copy the address of this view", copyAddress],
   ["Table (CSV)", () => {
-    const mirror = state.view === "symmetry";
-    download(`${fileStem}-${mirror ? "motifs" : "stretches"}.csv`, new Blob([mirror ? motifText() : tableText()], { type: "text/csv" }));
+    const [name, text] = { symmetry: ["motifs", motifText], graph: ["graph", graphText] }[state.view] ?? ["stretches", tableText];
+    download(`${fileStem}-${name}.csv`, new Blob([text()], { type: "text/csv" }));
   }],
   ["Figure (PNG)", () => picture("figure", stage.canvas)],
   ["Matrix (PNG)", () => picture("matrix", field.base, field.top)],
@@ -69,11 +69,11 @@ const SAVES = [
 ];
 
 function buildSaves() {
-  const offered = () => SAVES.map(([name, act]) => Object.assign(menuButton(name, act), { isTable: name.startsWith("Table") }));
+  const offered = () => SAVES.map(([name, act]) => Object.assign(menuButton(name, act), { isTable: name.startsWith("Table"), isMatrix: name.startsWith("Matrix") }));
   $("save-sheet").append(...offered());
   $("more-sheet").append(menuButton("How to read this", toggleHelp), ...offered());
   on("layout", () => {
-    for (const id of ["save-sheet", "more-sheet"]) for (const button of $(id).children) button.hidden = Boolean(button.isTable) && !isTable();
+    for (const id of ["save-sheet", "more-sheet"]) for (const button of $(id).children) button.hidden = (Boolean(button.isTable) && !isTable()) || (Boolean(button.isMatrix) && state.view === "graph");
   });
   for (const id of ["save-sheet", "more-sheet"]) $(id).classList.add("menu");
 }

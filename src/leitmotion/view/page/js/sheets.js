@@ -40,10 +40,11 @@ function lessons() {
   });
 }
 
-const KEYS = [
+const KEYS = () => [
   ["space", "play or pause"], ["← →", "one frame"], ["shift ← →", "one second"], ["A–H", "choose a pattern"],
   ...(several ? [] : [["M", "repeats or symmetry"]]),
-  ["L", several ? "the movements, or most like now" : "the lesson"], ["N P", symmetry ? "in it, and in symmetry: next, previous" : "in it: next, previous"],
+  ["L", several ? "the movements, or most like now" : "the lesson"], ["N P", symmetry ? "in it, in symmetry and in the graph: next, previous" : "in it: next, previous"],
+  ...(graph ? [["G", "repeats or graph"], ["A–Z", "in the graph: choose a posture, with shift its mirror image"], ...(isRacemized ? [["I", "in it: with mirror images"]] : [])] : []),
   ...(several ? [["shift N P", "compare with the next, the previous"], ["S", "side by side or overlaid"], ["T", "in step, or each at its own pace"]] : []),
   ["R", "in it: loop this one"],
   ["Esc", "clear the choice or the pair"], ["[ ]", "slower, faster"], ["1 2 3 4", "camera"],
@@ -51,7 +52,7 @@ const KEYS = [
 ];
 
 function buildHelp() {
-  const list = make("dl", "", KEYS.flatMap(([keys, what]) => [make("dt", "", keys.split(" ").map((key) => make("kbd", "", key))), make("dd", "", what)]));
+  const list = make("dl", "", KEYS().flatMap(([keys, what]) => [make("dt", "", keys.split(" ").map((key) => make("kbd", "", key))), make("dd", "", what)]));
   $("help-sheet").append(
     make("h2", "", "How to read the matrix"), make("div", "lessons", lessons()), make("h2", "", "Keys"), list,
     make("p", "private", "A solid line is moment 1, a dashed one moment 2. Drag along a stripe to play the two together. This page is one file: nothing in it leaves your machine."),
@@ -60,7 +61,8 @@ function buildHelp() {
 }
 
 on("layout", () => {
-  const shown = state.view === "symmetry" ? mirrorLessons : lessons;
+  const shown = { symmetry: mirrorLessons, graph: graphLessons }[state.view] ?? lessons;
+  $("reading-title").textContent = $("help-sheet").firstChild.textContent = `How to read the ${state.view === "graph" ? "graph" : "matrix"}`;
   for (const box of [$("lessons"), $("help-sheet").querySelector(".lessons")]) {
     if (box.dataset.view !== state.view) box.replaceChildren(...shown());
     box.dataset.view = state.view;

@@ -23,7 +23,7 @@ function drawStage() {
   const pen = (stage.pen = sized(stage.canvas, width, height));
   const now = shownTime();
   const pair = pairOnShow() || variationOnShow(now);
-  postureAt(now, posture);
+  imageAt(now, isLeadMirrored(), posture);
   const camera = (stage.camera = stageCamera(now));
   if (!clip.flat) drawGrid(pen, camera);
   if (isBeside()) {
@@ -33,9 +33,9 @@ function drawStage() {
   if (!clip.flat) drawWay(pen, camera);
   const seen = !Number.isNaN(rootOf(posture)[0]);
   if (seen && !clip.flat) drawShadow(pen, camera, posture);
-  const ghost = ghostMoment(pair, now);
-  if (ghost && seen) drawGhost(pen, camera, ghost, pair);
-  if (state.trails) drawTrails(pen, camera, now);
+  const ghosts = isGraphShown() ? overlaidOn(now) : [ghostMoment(pair, now)];
+  for (const ghost of ghosts) if (ghost && seen) drawGhost(pen, camera, ghost, pair, ghosts.length);
+  if (state.trails && !isLeadMirrored()) drawTrails(pen, camera, now);
   drawFigure(pen, posture, camera);
   if (pair && seen) drawDifferences(pen, camera, pair);
   else if (figureHeight(camera) >= 240) drawSides(pen, camera);
@@ -56,13 +56,13 @@ function ghostMoment(pair, now) {
   return found ? { time: found.time, pattern: sharedPattern(now, found.time) } : null;
 }
 
-function drawGhost(pen, camera, ghost, pair) {
+function drawGhost(pen, camera, ghost, pair, count = 1) {
   imageAt(ghost.time, ghost.mirrored, other);
   placeOnto(posture, other, facingAt(shownTime()) - facingAt(ghost.time), placed);
   const layer = sized(ghostLayer, stage.width, stage.height);
-  const colour = ghost.mirrored ? theme.tokens.mirror : ghost.pattern === null ? theme.tokens.ink2 : patternColour(ghost.pattern);
+  const colour = ghost.mirrored ? theme.tokens.mirror : (ghost.pattern ?? null) === null ? theme.tokens.ink2 : patternColour(ghost.pattern);
   drawFigure(layer, placed, camera, { colour });
-  pen.globalAlpha = pair || state.span !== null ? 0.62 : 0.34;
+  pen.globalAlpha = pair || state.span !== null ? 0.62 : Math.max(0.34 / Math.sqrt(count), 0.16);
   pen.drawImage(ghostLayer, 0, 0, stage.width, stage.height);
   pen.globalAlpha = 1;
 }

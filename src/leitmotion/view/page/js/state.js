@@ -17,6 +17,9 @@ const state = {
   loop: 0, // which of its stretches plays
   span: null, // index of the chosen stretch of a motif
   pointed: null, // the one that is pointed at
+  item: null, // name of the chosen state or path of the graph
+  visit: 0, // which of its times plays
+  images: false, // whether the graph is shown with the mirror images that nobody performed
   form: "square", // how the matrix of symmetry is drawn
   curve: null, // which curve is shown; null is the view's own
   more: false, // whether the lanes of what merely comes again are shown
@@ -73,17 +76,20 @@ const cost = { last: 0, frames: 0 };
 
 // Of several recordings what they share stands beside the figure from the start, of one a lesson that was asked for.
 const opensWithLesson = (several || payload.opens_with === "lesson") && Boolean(payload.lesson);
-const openingView = payload.opens_with === "symmetry" && symmetry ? "symmetry" : "repeats";
+const openingView = () => (views.some(({ id, ready }) => id === payload.opens_with && ready) ? payload.opens_with : "repeats");
 
 const short = (value, digits = 2) => String(Number(value.toFixed(digits)));
 
 function writeHash() {
   const parts = new URLSearchParams();
-  if (state.view !== openingView) parts.set("view", state.view);
+  if (state.view !== openingView()) parts.set("view", state.view);
   parts.set("t", short(state.time));
   if (state.held) parts.set("u", short(state.second));
   if (state.pattern !== null) parts.set("pattern", patterns[state.pattern].id);
   if (state.span !== null) parts.set("span", String(state.span + 1));
+  if (state.item !== null) parts.set("item", state.item);
+  if (state.visit) parts.set("visit", String(state.visit + 1));
+  if (state.images) parts.set("images", "1");
   if (state.form !== "square") parts.set("form", state.form);
   if (state.curve !== null) parts.set("curve", state.curve);
   if (state.more) parts.set("more", "1");
@@ -116,19 +122,25 @@ function readHash(hash = location.hash) {
     const value = parts.has(key) ? Number(parts.get(key)) : NaN;
     return Number.isFinite(value) ? clamp(value, low, high) : fallback;
   };
-  state.view = views.some((view) => view.id === parts.get("view") && view.ready) ? parts.get("view") : openingView;
+  state.view = views.some((view) => view.id === parts.get("view") && view.ready) ? parts.get("view") : openingView();
   state.time = number("t", openingTime(), 0, clip.last);
   state.second = number("u", null, 0, clip.last);
   state.held = state.second !== null;
   Object.assign(state, { hover: null, stripe: null, step: 0, bar: null, pointed: null });
   const span = number("span", null, 1, Math.max(motifSpans.length, 1));
   state.span = state.view === "symmetry" && motifSpans.length && span !== null ? Math.round(span) - 1 : null;
+  state.images = parts.get("images") === "1";
+  const item = state.view === "graph" ? itemNamed(parts.get("item")) : null;
+  state.item = item && isItemShown(item) ? item.name : null;
+  state.visit = state.item === null ? 0 : Math.round(number("visit", 1, 1, Math.max(timesOf(item).length, 1))) - 1;
+  if (state.view === "graph") Object.assign(state, { held: false, second: null });
   state.form = parts.get("form") === "triangle" ? "triangle" : "square";
   state.curve = curves.some((curve) => curve.id === parts.get("curve")) ? parts.get("curve") : null;
   state.more = parts.get("more") === "1";
   const chosen = patterns.findIndex((p) => p.id === parts.get("pattern"));
-  state.pattern = chosen < 0 || state.span !== null ? null : chosen;
+  state.pattern = chosen < 0 || state.span !== null || state.item !== null ? null : chosen;
   if (state.span !== null && !parts.has("t")) state.time = motifSpans[state.span].start;
+  if (state.item !== null && !parts.has("t")) state.time = itemNow().lead.start;
   state.loop = chosen < 0 ? 0 : (stretchAt(state.time, chosen)?.stretch ?? 0);
   const takes = state.pattern === null || state.view !== "repeats" ? 0 : takesOf(chosen).length;
   const take = number("take", null, 1, Math.max(takes, 1));

@@ -25,7 +25,9 @@ function showView(id) {
   pause();
   showTip(null);
   if (state.take !== null) state.pattern = null;
-  Object.assign(state, { view: id, span: null, pointed: null, lesson: false, take: null, stripe: null, hover: null, curve: null });
+  Object.assign(state, { view: id, span: null, item: null, visit: 0, pointed: null, lesson: false, take: null, stripe: null, hover: null, curve: null });
+  // A pair of moments belongs to a matrix.
+  if (id === "graph") Object.assign(state, { held: false, second: null });
   keepHash();
   redraw("layout");
 }
