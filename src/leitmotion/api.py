@@ -314,6 +314,7 @@ def report(
     body_map: Roles | None = None,
     swap_sides: bool = False,
     opens_with: str = "repeats",
+    mirrored: Mirrored | None = None,
     force: bool = False,
     **options: Any,
 ) -> Path:
@@ -341,6 +342,8 @@ def report(
         As for :func:`find_patterns`.
     opens_with : {"repeats", "lesson", "symmetry", "graph"}
         What the page shows first; repeats where there is no such thing to show.
+    mirrored : Mirrored, optional
+        What :func:`compare_with_mirror` made of this recording; by default what it makes by its own defaults.
     force : bool
         Whether an ``.html`` file that Leitmotion did not write may be replaced.
     **options
@@ -396,7 +399,7 @@ def report(
         source=facts | dict(source or {}),
         labels=labels,
         labels_from=labels_from,
-        mirroring=mirroring_of(recording, body, body_map),
+        mirroring=mirroring_of(recording, body, body_map, mirrored),
         dynamics=dynamics_of(recording, body_map),
         graph=graph_of(recording, body, body_map),
         opens_with=opens_with,

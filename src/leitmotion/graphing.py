@@ -21,7 +21,7 @@ def motion_graph(
     weights: str = "equal",
     bias: str = "none",
     racemize: bool = False,
-    body_map: Roles | None = None,
+    body_map: Roles | Sequence[Roles | None] | None = None,
 ) -> MotionGraph:
     """Draw the motion graph of one recording or several: states, and the paths between them (paper S, 3.5 and 3.6).
 
@@ -38,7 +38,7 @@ def motion_graph(
         (:func:`leitmotion.features.side_bias`).
     racemize : bool
         Whether to add the mirror images (:func:`leitmotion.discovery.racemized`).
-    body_map : BodyMap or mapping of str, optional
+    body_map : BodyMap or mapping of str, or one for each recording, optional
         Which joints or markers stand for which role, when the names do not tell.
 
     Returns
@@ -68,7 +68,10 @@ def motion_graph(
     several = list(recordings) if isinstance(recordings, Sequence) else [recordings]
     if names is not None and len(names) != len(several):
         raise ParameterError(f"Each of the {len(several)} recordings has one name, got {len(names)} names.")
-    chains = [extract("kinematic_chain", one, body_map) for one in several]
+    maps = list(body_map) if isinstance(body_map, Sequence) else [body_map] * len(several)
+    if len(maps) != len(several):
+        raise ParameterError(f"Each of the {len(several)} recordings has one map, got {len(maps)} maps.")
+    chains = [extract("kinematic_chain", one, each) for one, each in zip(several, maps, strict=True)]
     common = (
         tuple(name for name in chains[0].names if all(name in chain.names for chain in chains))
         if chains

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from leitmotion.body import Body, Dynamics, dynamics
-from leitmotion.comparing import compare_with_mirror
+from leitmotion.comparing import Mirrored, compare_with_mirror
 from leitmotion.describing import Recording, Roles
 from leitmotion.discovery import MotionGraph
 from leitmotion.graphing import motion_graph
@@ -14,7 +14,9 @@ from leitmotion.view.graph_words import no_graph
 from leitmotion.view.symmetry_words import no_symmetry
 
 
-def mirroring_of(recording: Recording, body: Body, body_map: Roles | None = None) -> Mirroring | str:
+def mirroring_of(
+    recording: Recording, body: Body, body_map: Roles | None = None, mirrored: Mirrored | None = None
+) -> Mirroring | str:
     """Compare a recording with its mirror image, and find its motifs.
 
     Parameters
@@ -25,6 +27,8 @@ def mirroring_of(recording: Recording, body: Body, body_map: Roles | None = None
         The person.
     body_map : BodyMap or mapping of str, optional
         Which joints or markers stand for which role.
+    mirrored : Mirrored, optional
+        What :func:`leitmotion.compare_with_mirror` made of it; by default what it makes by its own defaults.
 
     Returns
     -------
@@ -32,8 +36,8 @@ def mirroring_of(recording: Recording, body: Body, body_map: Roles | None = None
         What the page shows, or a sentence that says why there is no symmetry to show.
     """
     try:
-        mirrored = compare_with_mirror(recording, body_map=body_map)
-        return Mirroring(motifs_in(mirrored, recording), mirrored.distances)
+        made = mirrored or compare_with_mirror(recording, body_map=body_map)
+        return Mirroring(motifs_in(made, recording), made.distances)
     except DataError as error:
         return no_symmetry(body, error.message)
 

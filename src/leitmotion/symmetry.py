@@ -19,6 +19,7 @@ def find_symmetry(
     beta: float | None = None,
     min_still_s: float = 0.5,
     body_map: Roles | None = None,
+    mirrored: Mirrored | None = None,
 ) -> Symmetry:
     """Find what a movement is like in space and in time: the taxonomy of paper S, chapter 3.
 
@@ -30,6 +31,8 @@ def find_symmetry(
         As for :func:`leitmotion.compare_with_mirror`.
     min_still_s : float
         How long stillness lasts at least, seconds.
+    mirrored : Mirrored, optional
+        What :func:`leitmotion.compare_with_mirror` made of this recording, with the same options.
 
     Returns
     -------
@@ -51,10 +54,10 @@ def find_symmetry(
     >>> found.frames == len(lm.compose_session(seed=0, rate=30.0).motion)
     True
     """
-    mirrored = compare_with_mirror(
+    made = mirrored or compare_with_mirror(
         recording, metric=metric, weights=weights, bias=bias, beta=beta, body_map=body_map
     )
-    found = motifs_in(mirrored, recording, min_still_s=min_still_s)
+    found = motifs_in(made, recording, min_still_s=min_still_s)
     return found.replace(parameters=found.parameters | {"weights": weights, "bias": bias})
 
 

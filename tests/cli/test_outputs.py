@@ -30,6 +30,8 @@ def calls(run: Run, made: Path) -> dict[str, tuple[object, ...]]:
         "info": ("info", made / "jacks.bvh"),
         "similarity": ("similarity", made / "jacks.bvh"),
         "mirror": ("similarity", made / "jacks.bvh", "--symmetry"),
+        "symmetry": ("symmetry", made / "jacks.bvh"),
+        "graph": ("graph", made / "jacks.bvh"),
         "patterns": ("patterns", made / "jacks.bvh"),
         "lesson": ("patterns", made / "jacks.bvh", "--lesson"),
         "across": ("patterns", made / "jacks.bvh", made / "once.bvh", "--across"),
@@ -60,7 +62,7 @@ def test_a_file_of_somebody_stays_unless_by_force_and_our_own_is_replaced(
 
 
 @pytest.mark.parametrize(
-    "verb", ["info", "similarity", "mirror", "lesson", "across", "calibrate", "evaluate"]
+    "verb", ["info", "similarity", "mirror", "symmetry", "graph", "lesson", "across", "calibrate", "evaluate"]
 )
 @pytest.mark.parametrize("ending", [".csv", ".json"])
 def test_every_verb_keeps_the_rule(

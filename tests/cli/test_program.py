@@ -58,8 +58,8 @@ def test_a_verb_unlike_any_is_answered_by_their_list(run: Run) -> None:
     told = run("qqq")
     assert told.exit_code == 2
     assert (
-        "The verbs are demo, info, convert, repair, calibrate, similarity, patterns, dynamics, evaluate, report."
-        in told.stderr
+        "The verbs are demo, info, convert, repair, calibrate, similarity, patterns, symmetry, dynamics, graph, "
+        "evaluate, report." in told.stderr
     )
 
 

@@ -9,10 +9,10 @@ import numpy as np
 import pytest
 
 import leitmotion as lm
+from cli import odd
 from cli.conftest import Run
 from cli.json_schema import faults
 from leitmotion.cli import mirrored, postures
-from leitmotion.motion.kinematics import forward_kinematics
 
 DOCS = Path(__file__).resolve().parents[2] / "docs" / "json.md"
 SCHEMA = json.loads(re.findall(r"```json\n(.*?)```", DOCS.read_text(encoding="utf-8"), re.DOTALL)[-1])
@@ -146,40 +146,34 @@ def test_one_file_holds_one_matrix(run: Run, made: Path) -> None:
     assert "both.npz holds one matrix, but there are 2 recordings" in told.stderr
 
 
-def points(run_at: Path, positions: np.ndarray, names: tuple[str, ...], unit: str = "m") -> Path:
-    made = lm.Trajectories(names, positions, 30.0, unit=unit, kind="joint")
-    lm.save(made, run_at / "points.npz")
-    return run_at / "points.npz"
-
-
 def test_odd_recordings_are_answered_or_refused_in_a_sentence(run: Run, made: Path, tmp_path: Path) -> None:
-    motion = lm.read(made / "jacks.bvh")
-    names = motion.skeleton.names
-    places = forward_kinematics(motion).positions
-    flat = points(tmp_path, places[..., :2], names, unit="px")
+    jacks = made / "jacks.bvh"
+    flat = odd.planar(tmp_path / "flat.npz", lm.read(jacks))
     told = run("similarity", flat, "--symmetry")
-    assert (told.exit_code, told.stderr) == (
-        1,
-        "Error: The kinematic chain needs joints in three dimensions, got two.\n",
-    )
+    planar = "Error: The kinematic chain needs joints in three dimensions, got two.\n"
+    assert (told.exit_code, told.stderr) == (1, planar)
     assert run("similarity", flat).exit_code == 0
     for frames in (1, 10):
         for mode in ((), ("--symmetry",)):
-            told = run(
-                "similarity", f"{made / 'jacks.bvh'}[0:{frames}]", *mode, "-o", f"few{frames}.csv", "--force"
-            )
+            told = run("similarity", f"{jacks}[0:{frames}]", *mode, "-o", f"few{frames}.csv", "--force")
             assert told.exit_code == 0, told.stderr
             assert len(rows_of(f"few{frames}.csv")) == frames
-    gaps = places.copy()
-    gaps[20:40] = np.nan
-    gaps[60:70, names.index("LeftForeArm")] = np.nan
-    document = json.loads(run("similarity", points(tmp_path, gaps, names), "--symmetry", "--json").stdout)
+    gaps = odd.with_gaps(tmp_path / "gaps.npz", lm.read(jacks))
+    document = json.loads(run("similarity", gaps, "--symmetry", "--json").stdout)
     assert faults(document, SCHEMA) == []
     assert all(one["stop"] <= 20 or one["start"] >= 40 for one in document["result"]["still"])
-    hand = points(tmp_path, np.arange(54.0).reshape(9, 2, 3), ("LeftHand", "RightHand"))
-    told = run("similarity", hand, "--symmetry")
+    told = run("similarity", odd.hands_only(tmp_path / "hands.npz"), "--symmetry")
     assert told.exit_code == 1
     assert told.stderr.startswith(
         "Error: The kinematic chain begins with the trunk, but no pelvis is known among "
     )
     assert told.stderr.count("\n") == 1
+
+
+def test_a_folder_and_standard_input_are_inputs(run: Run, made: Path) -> None:
+    told = run("similarity", made, "--symmetry", "--json", "-o", "all.json")
+    assert told.exit_code == 1  # two of its files are broken
+    assert ["error" in json.loads(line) for line in told.stdout.splitlines()] == [True, True, False, False]
+    content = (made / "jacks.bvh").read_bytes()
+    document = json.loads(run("similarity", "-", "--json", stdin=content).stdout)
+    assert document["source"][0]["path"] == "-"

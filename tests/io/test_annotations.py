@@ -85,7 +85,7 @@ def test_frames_of_another_rate_give_way_to_seconds(tmp_path):
         (
             "a.csv",
             "start_s,stop_s\n0,1\n",
-            r"line 1: expected a column label \(or pattern\), found start_s, stop_s",
+            r"line 1: expected a column label \(or pattern, or motif\), found start_s, stop_s",
         ),
         ("a.csv", "0,60\n60,90\n", "expected a column label"),
         (

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 import leitmotion as lm
-from leitmotion.features import kinematic_chain, posture
+from leitmotion.features import kinematic_chain, mirrored, posture
 from leitmotion.motion import Motion, ParameterError
 from leitmotion.motion.rotations import from_axis_angle
 from leitmotion.similarity import (
@@ -14,6 +14,7 @@ from leitmotion.similarity import (
     identity_width,
     likeness,
     still_spans,
+    symmetry_index,
 )
 from leitmotion.similarity.mirror import LEAST, MIRROR_METRICS, MOST
 from leitmotion.view import plot_symmetry
@@ -187,6 +188,19 @@ def test_what_is_unseen_is_neither_still_nor_slow():
     (first, *_), *_ = still_spans(whole)
     assert [(start, stop) for start, stop, _, _ in still_spans(found)] == [(first, 200), (215, 280)]
     plot_symmetry(found, form="triangle")
+
+
+def test_the_index_is_one_with_the_mirror_image_and_the_same_of_it(chain):
+    image = mirrored(chain)
+    alone, other, both = (
+        symmetry_index(double_metric(chain.replace(values=values), beta=300.0))
+        for values in (chain.values, image.values, np.concatenate((chain.values, image.values)))
+    )
+    assert 0 < alone < 0.9
+    assert other == pytest.approx(alone, abs=1e-4)
+    assert both == pytest.approx(1.0, abs=1e-4)
+    unseen = chain.replace(values=np.full_like(chain.values, np.nan))
+    assert np.isnan(symmetry_index(double_metric(unseen, beta=300.0)))
 
 
 def test_beta_is_bounded_and_knows_no_rate(chain):

@@ -130,6 +130,8 @@ def _result(made: Mirrored, curves: _Curves, opened: Opened) -> Document:
     """Make the result of the verb `similarity` with ``--symmetry``."""
     import numpy as np
 
+    from leitmotion.similarity import symmetry_index
+
     found, frames, rate = made.distances, len(opened.recording), opened.recording.rate
     still = [(start * made.every, min(stop * made.every, frames)) for start, stop, _, _ in curves.still]
     return {
@@ -138,6 +140,7 @@ def _result(made: Mirrored, curves: _Curves, opened: Opened) -> Document:
         "beta": found.beta,
         "half_alike": found.half,
         "half_alike_deg": float(np.degrees(found.half_angle)),
+        "symmetry_index": decimals(symmetry_index(found), SCORE_DIGITS),
         "share_alike": _share(found.own, found.half),
         "share_alike_to_mirror": _share(found.mirror, found.half),
         "lopsidedness_deg": curve(curves.lopsidedness, found.rate),
@@ -218,6 +221,10 @@ def _show(console: Console, result: Document) -> None:
         )
     if result["share_alike_to_mirror"] is not None:
         told.append(("like its mirror image", f"{result['share_alike_to_mirror']:.1%}", "of them"))
+    if result["symmetry_index"] is not None:
+        told.append(
+            ("symmetry index", f"{result['symmetry_index']:.2f}", "the mean of Z* over the mean of Z")
+        )
     if lopsided["mean"] is not None:
         ends = f"{lopsided['least']:.1f}° to {lopsided['most']:.1f}°, most at {clock(lopsided['most_at_s'])}"
         told.append(("lopsidedness", f"{lopsided['mean']:.1f}°", f"mean; {ends}"))

@@ -24,6 +24,9 @@ WITH_TABLES = (
     "evaluate",
     "postures",
     "mirrored",
+    "symmetry",
+    "shares",
+    "graph",
     "dynamics",
 )
 """Modules of this package with the ``COLUMNS`` of a table that they write."""
@@ -89,6 +92,12 @@ def _annotations(head: bytes, tail: bytes) -> bool:
     return REMARK.encode() in head
 
 
+def _graph(head: bytes, tail: bytes) -> bool:
+    from leitmotion.view.graph_text import MADE_BY
+
+    return MADE_BY.encode() in head
+
+
 _TELLS: dict[str, Callable[[bytes, bytes], bool]] = {
     ".html": _page,
     ".png": _picture,
@@ -97,5 +106,6 @@ _TELLS: dict[str, Callable[[bytes, bytes], bool]] = {
     ".json": _document,
     ".csv": _table,
     ".npz": _search,
+    ".graphml": _graph,
     ".eaf": _annotations,
 }

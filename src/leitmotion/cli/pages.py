@@ -14,7 +14,7 @@ from leitmotion.cli.outputs import will_be_written
 from leitmotion.cli.progress import Progress
 
 if TYPE_CHECKING:
-    from leitmotion.api import Patterns, Segmentation
+    from leitmotion.api import Mirrored, Patterns, Segmentation
     from leitmotion.cli.recordings import Opened
 
 
@@ -29,6 +29,7 @@ def write_page(
     labels_from: str = "",
     notes: Sequence[str] = (),
     opens_with: str = "repeats",
+    mirrored: Mirrored | None = None,
 ) -> str:
     """Write the page that shows what recurs in a recording.
 
@@ -52,6 +53,8 @@ def write_page(
         What else the person should know, about the labels.
     opens_with : {"repeats", "lesson", "symmetry", "graph"}
         What the page shows first.
+    mirrored : Mirrored, optional
+        The recording beside its mirror image, as it was asked for.
 
     Returns
     -------
@@ -75,6 +78,7 @@ def write_page(
         joints=options.joints or None,
         exclude=options.exclude,
         opens_with=opens_with,
+        mirrored=mirrored,
         force=True,  # whether the page may be replaced was asked before any work
     )
     return told

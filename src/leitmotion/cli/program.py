@@ -30,7 +30,9 @@ VERBS = {
     "calibrate": "Tell from labelled pairs how near alike postures are.",
     "similarity": "Compare every moment of a recording with every other.",
     "patterns": "Find what recurs in a recording.",
+    "symmetry": "Tell how a movement treats the two sides, and how it returns.",
     "dynamics": "Compute momentum and energy of a body in motion.",
+    "graph": "Draw the states that movements pass through, and the paths between them.",
     "evaluate": "Judge an answer by what a person saw.",
     "report": "Write the page that shows what recurs.",
 }

@@ -130,11 +130,12 @@ def _read(text: str, path: Path) -> tuple[list[str], Lines, bool]:
             f"{path.name}, line 1: expected the columns start, stop, label (frames) or start_s, stop_s, label "
             f"(seconds), found {', '.join(lines[0][1][:6])}."
         )
-    if "label" not in names and "pattern" in names:
-        names[names.index("pattern")] = "label"
+    ours_called = next((name for name in ("pattern", "motif") if name in names), None)
+    if "label" not in names and ours_called:
+        names[names.index(ours_called)] = "label"
     if "label" not in names:
         raise FormatError(
-            f"{path.name}, line 1: expected a column label (or pattern), found {', '.join(header[:6])}."
+            f"{path.name}, line 1: expected a column label (or pattern, or motif), found {', '.join(header[:6])}."
         )
     return names, lines, ours
 

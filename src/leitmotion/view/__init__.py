@@ -5,6 +5,7 @@ from leitmotion.view.curves import plot_dynamics
 from leitmotion.view.graph import plot_graph
 from leitmotion.view.graph_text import graph_document, graphml
 from leitmotion.view.lanes import plot_shared_patterns
+from leitmotion.view.motif_lanes import plot_motifs
 from leitmotion.view.payload import page_payload
 from leitmotion.view.plots import plot_figures, plot_matrix, plot_patterns
 from leitmotion.view.report import report_page
@@ -22,6 +23,7 @@ __all__ = [
     "plot_figures",
     "plot_graph",
     "plot_matrix",
+    "plot_motifs",
     "plot_patterns",
     "plot_shared_patterns",
     "plot_symmetry",

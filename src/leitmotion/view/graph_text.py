@@ -7,6 +7,8 @@ from xml.etree import ElementTree
 
 from leitmotion.discovery import MotionGraph, Path, State, Visit, notation, path_label, performed, state_label
 
+MADE_BY = " Leitmotion wrote this. "
+"""A remark near the start of every GraphML, by which it is known again."""
 NAMESPACE = "http://graphml.graphdrawing.org/xmlns"
 NODE_KEYS = {"name": "string", "label": "string", "symmetric": "boolean", "mirror": "string", "count": "int"}
 EDGE_KEYS = {
@@ -101,6 +103,7 @@ def graphml(graph: MotionGraph) -> str:
     True
     """
     root = ElementTree.Element("graphml", xmlns=NAMESPACE)
+    root.append(ElementTree.Comment(MADE_BY))
     for kind, keys in (("node", NODE_KEYS), ("edge", EDGE_KEYS)):
         for name, type_ in keys.items():
             ElementTree.SubElement(

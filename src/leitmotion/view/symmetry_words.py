@@ -224,7 +224,9 @@ def symmetry_lead(spans: Sequence[SymmetrySpan], letters: Sequence[str]) -> Lead
     if pieces:
         return _joined(pieces)
     if _moving(spans):
-        return ("No stretch tells clearly how the two sides move together; what is uncertain is hatched.",)
+        return (
+            "No stretch tells clearly how the two sides move together: none is more likely right than wrong.",
+        )
     return ("No stretch was clear enough to say how the two sides move together.",)
 
 
