@@ -13,7 +13,9 @@ from leitmotion.discovery.states import Stop, askew, straight
 from leitmotion.similarity import align
 
 SAME = 0.4  # of how far a way leads: ways that differ by less, at the worst moments but a few, are one path
-LOPSIDED = 1.25  # times that of a way and the image of another between lopsided states: nobody's sides are the same
+LOPSIDED = (
+    1.25  # times that of a way and the image of another between lopsided states: nobody's sides are the same
+)
 WORST = 85.0  # percentile of the moments
 LEAST = 0.8  # of what makes two moments the same state: ways may differ as much as their ends may
 COMPARED = 8  # ways of a path with which another is compared
