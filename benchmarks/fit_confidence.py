@@ -112,9 +112,9 @@ def judged_in(actor: str, recording: lm.Motion, truth: PatternTruth) -> Iterator
 def written(recording: lm.Motion) -> Written:
     """Search a recording as ``find_patterns`` does by default, and keep what speaks for each pattern."""
     features = posture(embody(recording))
-    work = resample(features, WORKING_RATE)
-    found, _ = look(features, work, USUAL)
-    return Scribe(features, Distances(work), USUAL).write(found)
+    distances = Distances(resample(features, WORKING_RATE))
+    found, _ = look(features, distances, USUAL)
+    return Scribe(features, distances, USUAL).write(found)
 
 
 def shares_right(
