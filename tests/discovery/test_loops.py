@@ -5,7 +5,7 @@ import pytest
 from scipy.ndimage import gaussian_filter1d
 
 from leitmotion import body, features, io
-from leitmotion.discovery import find_patterns
+from leitmotion.discovery import find_patterns, loops
 from leitmotion.discovery.loops import COPIED, loop_length
 from leitmotion.features import FeatureSequence
 
@@ -52,6 +52,17 @@ def test_what_differs_in_one_frame_is_no_loop(rng):
 def test_no_copy_is_shorter_than_a_movement_and_stillness_is_none(rng):
     assert loop_length(sequence(np.tile(motion(rng, 10), (12, 1))), 15) == 20
     assert told(find_patterns(sequence(np.tile(motion(rng, 1), (300, 1))))) == []
+
+
+def test_of_a_body_that_keeps_still_nearly_always_few_lengths_are_tried(rng, monkeypatch):
+    tried = []
+    same = loops._same
+    monkeypatch.setattr(loops, "_same", lambda *sides: tried.append(sides) or same(*sides))
+    for still in (slice(0, -100), slice(100, None)):
+        values = motion(rng, 20_000)
+        values[still] = values[500]
+        assert loop_length(sequence(values), 15) is None
+    assert len(tried) < 1000
 
 
 def test_a_movement_that_comes_back_after_a_rest_is_no_loop(rng):

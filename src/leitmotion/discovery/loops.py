@@ -48,6 +48,10 @@ def loop_length(features: FeatureSequence, shortest: int) -> int | None:
     for probe in np.linspace(0, half, PROBES, endpoint=False).astype(int).tolist():
         for d in range(values.shape[1]):
             lengths = lengths[_same(values[probe + lengths, d], values[probe, d])]
+    # where a body keeps still nearly always, the frame farthest from the first rules out what the probes do not
+    farthest = int(np.argmax(_apart(values)))
+    counterparts = np.where(farthest < lengths, farthest + lengths, farthest - lengths)
+    lengths = lengths[_same(values[counterparts], values[farthest]).all(axis=1)]
     for length in lengths.tolist():
         last = len(values) - length
         if all(
@@ -91,6 +95,14 @@ def loop_of(features: FeatureSequence, distances: Distances, alike: Likeness, sh
     path = np.stack((np.arange(last - lag), np.arange(lag, last)), axis=1)
     stripes = [stripe for stripe in measure([path], distances, alike) if stripe is not None]
     return Theme([Run(0.0, len(features) / ratio, period, stripes, list(stripes), borders)], stripes)
+
+
+def _apart(values: np.ndarray) -> np.ndarray:
+    """How far the numbers of each frame are from those of the first, at most. (T,)."""
+    apart = np.zeros(len(values))
+    for column in values.T:
+        np.fmax(apart, np.abs(column - column[0]), out=apart)
+    return apart
 
 
 def _same(one: np.ndarray, other: np.ndarray) -> np.ndarray:
