@@ -4,12 +4,16 @@ import os
 from collections.abc import Iterator
 from pathlib import Path
 
+import hypothesis
 import numpy as np
 import pytest
 
 BESIDE = Path(__file__).resolve().parents[1].parent / "shared" / "data"
 NO_SKIPS = bool(os.environ.get("LEITMOTION_NO_SKIPS"))
 NEVER_SKIPPED = ("data", "browser")
+
+hypothesis.settings.register_profile("house", deadline=None)  # speed is measured in benchmarks, not in tests
+hypothesis.settings.load_profile("house")
 
 
 @pytest.fixture(scope="session")
