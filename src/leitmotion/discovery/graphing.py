@@ -13,8 +13,9 @@ from leitmotion.discovery.lettering import named
 from leitmotion.discovery.moments import Moments, moments_of
 from leitmotion.discovery.motion_graph import MotionGraph
 from leitmotion.discovery.reducing import Walked, reduced
-from leitmotion.discovery.states import apart_of, askew, cluster, straight, visits
+from leitmotion.discovery.states import apart_of, askew, cluster, straight
 from leitmotion.discovery.turning import centres, halts
+from leitmotion.discovery.visiting import visits
 from leitmotion.discovery.ways import Atlas
 from leitmotion.features import FeatureSequence
 from leitmotion.motion.errors import ParameterError

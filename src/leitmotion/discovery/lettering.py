@@ -9,7 +9,7 @@ from typing import NamedTuple
 from leitmotion.discovery.moments import Moments
 from leitmotion.discovery.motion_graph import Path, State, Visit
 from leitmotion.discovery.reducing import Walked
-from leitmotion.discovery.states import Stop
+from leitmotion.discovery.visiting import Stop
 from leitmotion.discovery.ways import Course, Node, node_of, ways_of
 from leitmotion.features import FeatureSequence
 

@@ -23,7 +23,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from leitmotion.discovery.states import Stop
+from leitmotion.discovery.visiting import Stop
 from leitmotion.discovery.ways import Atlas, Course, Gone, ways_of
 
 HELD_S = 0.8

@@ -9,7 +9,8 @@ from typing import NamedTuple
 import numpy as np
 
 from leitmotion.discovery.moments import Moments
-from leitmotion.discovery.states import Stop, askew, straight
+from leitmotion.discovery.states import askew, straight
+from leitmotion.discovery.visiting import Stop
 from leitmotion.similarity import align
 
 SAME = 0.4  # of how far a way leads: ways that differ by less, at the worst moments but a few, are one path

@@ -1,0 +1,131 @@
+"""Visiting: every time that a state, or its mirror image, is held, turned at or passed."""
+
+from __future__ import annotations
+
+from itertools import pairwise
+from typing import NamedTuple
+
+import numpy as np
+
+from leitmotion.discovery.moments import Moments
+from leitmotion.discovery.states import Orbits, askew, straight
+
+# reach of a state: between these shares of what is alike, so many times as far as its visits are apart
+CLOSEST, PASSED, SPREAD = 0.25, 0.7, 2.5
+HELD, AS_EVER = 0.35, 0.2  # of what is alike: as near is held, or as little farther than ever during a visit
+
+
+class Stop(NamedTuple):
+    """A visit of a state, moments."""
+
+    orbit: int
+    """Which state, be it itself or its mirror image."""
+    side: int
+    """0 of a symmetric state, 1 as the first that was seen, -1 as its mirror image."""
+    start: int
+    stop: int
+    told: bool = True
+    """Whether the body halted or turned there, or goes round by it; else it only passed."""
+
+
+class _Node(NamedTuple):
+    """A state or its mirror image, as moments see it."""
+
+    orbit: int
+    side: int
+    away: np.ndarray
+    """(N,) how far each moment is."""
+    reach: float
+    """How near a moment has to come that only passes."""
+    members: np.ndarray
+    """Moments at which the body halts there, turns, or begins a cycle."""
+
+
+def visits(moments: Moments, orbits: Orbits) -> list[list[Stop]]:
+    """Find each visit of each state, recording by recording, in order.
+
+    Parameters
+    ----------
+    moments : Moments
+        All recordings.
+    orbits : Orbits
+        The states, by their members. A member is a visit; so is a moment that comes about as near as the members are
+        to one another.
+
+    Returns
+    -------
+    list of list of Stop
+        Visits of a recording, which do not overlap. What never left a state between two is one visit.
+    """
+    nodes = _nodes(moments, orbits)
+    return [_row(nodes, int(start), int(stop), orbits.alike) for start, stop in pairwise(moments.starts)]
+
+
+def _nodes(moments: Moments, orbits: Orbits) -> list[_Node]:
+    floor = askew(moments)
+    nodes = []
+    for orbit, (members, symmetric, sides) in enumerate(
+        zip(orbits.members, orbits.symmetric, orbits.sides, strict=True)
+    ):
+        for side in (0,) if symmetric else (1, -1):
+            own = np.full(len(members), True) if symmetric else sides == side
+            rows = np.where(own[:, None], moments.own[members], straight(moments.mirror[members], floor))
+            reach = _reach(rows[:, members], own, orbits.alike)
+            nodes.append(_Node(orbit, side, np.median(rows, axis=0), reach, members[own]))
+    return nodes
+
+
+def _reach(apart: np.ndarray, own: np.ndarray, alike: float) -> float:
+    """How near is near enough: about as near as the members are to one another, where there are several."""
+    if len(apart) < 2:
+        return PASSED * alike
+    # from an image to the members of the other side it is as far as from the state to those of its own
+    same = own[:, None] == own[None] if own.any() else np.full(apart.shape, False)
+    between = apart[(same if same.sum() > len(own) else ~same) & ~np.eye(len(apart), dtype=bool)]
+    return float(np.clip(SPREAD * np.median(between), CLOSEST * alike, PASSED * alike))
+
+
+def _row(nodes: list[_Node], start: int, stop: int, alike: float) -> list[Stop]:
+    """The visits of a recording."""
+    away = np.stack([node.away[start:stop] for node in nodes])
+    nearest = away.argmin(axis=0)
+    inside = away.min(axis=0) < np.array([node.reach for node in nodes])[nearest]
+    told = np.full(stop - start, -1)
+    for k, node in enumerate(nodes):
+        here = node.members[(node.members >= start) & (node.members < stop)] - start
+        nearest[here], inside[here], told[here] = k, True, k
+    stops: list[Stop] = []
+    runs = _runs(away, nearest, inside, alike)
+    for k, (which, first, last) in enumerate(runs):
+        after = runs[k + 1][1] if k + 1 < len(runs) else stop - start
+        before = stops[-1].stop - start if stops else 0
+        begin, end = _held(away[which], before, first, last, after, alike)
+        halted = bool((told[first : last + 1] == which).any())
+        stops.append(Stop(nodes[which].orbit, nodes[which].side, start + begin, start + end, halted))
+    return stops
+
+
+def _runs(
+    away: np.ndarray, nearest: np.ndarray, inside: np.ndarray, alike: float
+) -> list[tuple[int, int, int]]:
+    """Runs of moments at one state: which, the first and the last; those between which it was not left are one."""
+    runs: list[tuple[int, int, int]] = []
+    for t in np.flatnonzero(inside).tolist():
+        which = int(nearest[t])
+        if runs and runs[-1][0] == which and away[which, runs[-1][2] : t + 1].max() < alike:
+            runs[-1] = (which, runs[-1][1], t)
+        else:
+            runs.append((which, t, t))
+    return runs
+
+
+def _held(away: np.ndarray, before: int, first: int, last: int, after: int, alike: float) -> tuple[int, int]:
+    """How long a state is held around a run [first, last]: as long as it is about as near as ever."""
+    limit = max(away[first : last + 1].min() + AS_EVER * alike, HELD * alike)
+    near = first + np.flatnonzero(away[first : last + 1] <= limit)
+    begin, end = int(near[0]), int(near[-1]) + 1
+    while begin > before and away[begin - 1] <= limit:
+        begin -= 1
+    while end < after and away[end] <= limit:
+        end += 1
+    return begin, end
