@@ -315,6 +315,7 @@ def report(
     swap_sides: bool = False,
     opens_with: str = "repeats",
     mirrored: Mirrored | None = None,
+    graph: MotionGraph | None = None,
     force: bool = False,
     **options: Any,
 ) -> Path:
@@ -344,6 +345,8 @@ def report(
         What the page shows first; repeats where there is no such thing to show.
     mirrored : Mirrored, optional
         What :func:`compare_with_mirror` made of this recording; by default what it makes by its own defaults.
+    graph : MotionGraph, optional
+        What :func:`motion_graph` made of it, likewise; the page adds the mirror images.
     force : bool
         Whether an ``.html`` file that Leitmotion did not write may be replaced.
     **options
@@ -401,7 +404,7 @@ def report(
         labels_from=labels_from,
         mirroring=mirroring_of(recording, body, body_map, mirrored),
         dynamics=dynamics_of(recording, body_map),
-        graph=graph_of(recording, body, body_map),
+        graph=graph_of(recording, body, body_map, graph),
         opens_with=opens_with,
     )
     write_whole(target, page)

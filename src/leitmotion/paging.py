@@ -5,7 +5,7 @@ from __future__ import annotations
 from leitmotion.body import Body, Dynamics, dynamics
 from leitmotion.comparing import Mirrored, compare_with_mirror
 from leitmotion.describing import Recording, Roles
-from leitmotion.discovery import MotionGraph
+from leitmotion.discovery import MotionGraph, racemized
 from leitmotion.graphing import motion_graph
 from leitmotion.motion import DataError
 from leitmotion.symmetry import motifs_in
@@ -63,7 +63,9 @@ def dynamics_of(recording: Recording, body_map: Roles | None = None) -> Dynamics
         return None
 
 
-def graph_of(recording: Recording, body: Body, body_map: Roles | None = None) -> MotionGraph | str:
+def graph_of(
+    recording: Recording, body: Body, body_map: Roles | None = None, graph: MotionGraph | None = None
+) -> MotionGraph | str:
     """Draw the motion graph of a recording with its mirror images.
 
     Parameters
@@ -74,6 +76,8 @@ def graph_of(recording: Recording, body: Body, body_map: Roles | None = None) ->
         The person.
     body_map : BodyMap or mapping of str, optional
         Which joints or markers stand for which role.
+    graph : MotionGraph, optional
+        What :func:`leitmotion.motion_graph` made of it; by default what it makes by its own defaults.
 
     Returns
     -------
@@ -81,6 +85,6 @@ def graph_of(recording: Recording, body: Body, body_map: Roles | None = None) ->
         What the page shows, or a sentence that says why there is no graph.
     """
     try:
-        return motion_graph(recording, racemize=True, body_map=body_map)
+        return racemized(graph or motion_graph(recording, body_map=body_map))
     except DataError as error:
         return no_graph(body, error.message)

@@ -66,7 +66,7 @@ def test_several_inputs_make_one_graph_and_one_that_fails_is_named(run: Run, mad
 
 
 def test_it_is_written_and_read_again(run: Run, made: Path, jacks: lm.MotionGraph) -> None:
-    for ending in ("npz", "graphml", "svg", "png", "csv", "json"):
+    for ending in ("npz", "graphml", "svg", "html", "csv", "json"):
         for _ in "ab":  # the second is written over the first
             told = run("graph", made / "jacks.bvh", "-o", f"graph.{ending}")
             assert told.exit_code == 0, told.stderr
@@ -75,6 +75,10 @@ def test_it_is_written_and_read_again(run: Run, made: Path, jacks: lm.MotionGrap
     assert (loaded.states, loaded.paths) == (jacks.states, jacks.paths)
     nodes = ElementTree.parse("graph.graphml").getroot().iter("{http://graphml.graphdrawing.org/xmlns}node")
     assert [node.get("id") for node in nodes] == [state.name for state in jacks.states]
+    page = Path("graph.html").read_text(encoding="utf-8")
+    assert '"opens_with":"graph"' in page.replace('": "', '":"')
+    told = run("graph", made / "jacks.bvh", made / "once.bvh", "-o", "both.html")
+    assert (told.exit_code, "both.html shows one recording, but there are 2" in told.stderr) == (2, True)
     Path("graph.graphml").write_text("<graphml/>", encoding="utf-8")
     told = run("graph", made / "jacks.bvh", "-o", "graph.graphml")
     assert (told.exit_code, "does not say that Leitmotion wrote it" in told.stderr) == (2, True)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pathlib
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
 from statistics import median
 from typing import TYPE_CHECKING
 
@@ -11,6 +12,7 @@ import click
 
 from leitmotion.cli.batch import Answer, finish
 from leitmotion.cli.documents import Document
+from leitmotion.cli.finding import search
 from leitmotion.cli.inputs import Input
 from leitmotion.cli.mirror_options import weights
 from leitmotion.cli.options import Options, as_json, common, examples, force, output, takes_inputs
@@ -23,6 +25,7 @@ from leitmotion.cli.outputs import (
     will_be_written,
     write_figure,
 )
+from leitmotion.cli.pages import write_page
 from leitmotion.cli.printing import print_table
 from leitmotion.cli.progress import Progress, compiling_noted
 from leitmotion.cli.recordings import Opened, open_one
@@ -35,7 +38,7 @@ if TYPE_CHECKING:
     from leitmotion.api import MotionGraph
     from leitmotion.discovery import Path, State, Visit
 
-ENDINGS = (*TABLES, ".graphml", ".npz", *PICTURES)
+ENDINGS = (*TABLES, ".html", ".graphml", ".npz", *PICTURES)
 COLUMNS = (
     "path", "kind", "name", "source", "target", "symmetric", "reversible", "reversed", "mirror",
     "start", "stop", "start_s", "stop_s",
@@ -65,8 +68,8 @@ COLUMNS = (
 )
 @weights
 @output(
-    "Also write it, by the ending: .json (what is printed), .csv (a row per visit), .graphml, .npz, or its picture as "
-    ".svg, .png or .pdf."
+    "Also write it, by the ending: .json (what is printed), .csv (a row per visit), .graphml, .npz, its picture as "
+    ".svg, .png or .pdf; of one input .html."
 )
 @force
 @as_json
@@ -102,7 +105,7 @@ def graph(inputs: tuple[str, ...], racemize: bool, bias: str, options: Options) 
         kept = []
         if options.output is not None and options.output.suffix.lower() not in TABLES:
             progress.say(f"Writing {options.output.name}")
-            kept.append(_write(options.output, found, gathered))
+            kept.append(_write(options.output, found, gathered, options, progress))
         return Answer(
             source=[one.source[0] for _, one in gathered.opened],
             result=graph_document(found),
@@ -113,8 +116,14 @@ def graph(inputs: tuple[str, ...], racemize: bool, bias: str, options: Options) 
         )
 
     def check(given: Sequence[Input]) -> None:
-        if options.output is not None:
-            check_output(options.output, given, endings=ENDINGS, force=options.force)
+        if options.output is None:
+            return
+        check_output(options.output, given, endings=ENDINGS, force=options.force)
+        if len(given) > 1 and options.output.suffix.lower() == ".html":
+            raise click.UsageError(
+                f"{options.output.name} shows one recording, but there are {len(given)}. Write the picture of them "
+                f"all: -o {options.output.with_suffix('.svg')}."
+            )
 
     outcome = answer_together("graph", inputs, options, look, check=check, read=read)
     keep_table(outcome.documents, options, COLUMNS, _rows)
@@ -165,8 +174,14 @@ def _image(one: State | Path) -> str:
     return "itself" if one.mirror == one.name else one.mirror
 
 
-def _write(path: pathlib.Path, found: MotionGraph, gathered: Gathered) -> str:
+def _write(
+    path: pathlib.Path, found: MotionGraph, gathered: Gathered, options: Options, progress: Progress
+) -> str:
     ending = path.suffix.lower()
+    if ending == ".html":
+        opened = gathered.opened[0][1]
+        patterns = search(opened, replace(options, weights="equal"), progress)
+        return write_page(path, opened, patterns, options, progress, opens_with="graph", graph=found)
     if ending == ".npz":
         return save_value(path, found)
     if ending == ".graphml":

@@ -14,7 +14,7 @@ from leitmotion.cli.outputs import will_be_written
 from leitmotion.cli.progress import Progress
 
 if TYPE_CHECKING:
-    from leitmotion.api import Mirrored, Patterns, Segmentation
+    from leitmotion.api import Mirrored, MotionGraph, Patterns, Segmentation
     from leitmotion.cli.recordings import Opened
 
 
@@ -30,6 +30,7 @@ def write_page(
     notes: Sequence[str] = (),
     opens_with: str = "repeats",
     mirrored: Mirrored | None = None,
+    graph: MotionGraph | None = None,
 ) -> str:
     """Write the page that shows what recurs in a recording.
 
@@ -55,6 +56,8 @@ def write_page(
         What the page shows first.
     mirrored : Mirrored, optional
         The recording beside its mirror image, as it was asked for.
+    graph : MotionGraph, optional
+        Its motion graph, likewise.
 
     Returns
     -------
@@ -79,6 +82,7 @@ def write_page(
         exclude=options.exclude,
         opens_with=opens_with,
         mirrored=mirrored,
+        graph=graph,
         force=True,  # whether the page may be replaced was asked before any work
     )
     return told

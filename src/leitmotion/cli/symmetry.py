@@ -35,7 +35,7 @@ from leitmotion.cli.shares import shares_of, shares_rows, show_shares
 if TYPE_CHECKING:
     from rich.console import Console
 
-    from leitmotion.api import Mirrored, Segmentation, Symmetry, SymmetrySpan
+    from leitmotion.api import Mirrored, MotionGraph, Segmentation, Symmetry, SymmetrySpan
 
 OF_ONE = (".html", ".eaf", ".npz", *PICTURES)
 """Endings of what shows a single recording."""
@@ -95,12 +95,12 @@ def symmetry(
         opened = open_one(given, options, progress)
         progress.say(f"Looking for symmetry in {opened.body.name}")
         with compiling_noted(progress):
-            made, found, notation = _find(opened, asked, min_still, options)
-        result = symmetry_result(found, made, notation)
+            made, found, graph = _find(opened, asked, min_still, options)
+        result = symmetry_result(found, made, graph)
         kept = []
         if options.output is not None and ending in OF_ONE:
             progress.say(f"Writing {options.output.name}")
-            kept.append(_write_one(options.output, opened, found, made, options, progress))
+            kept.append(_write_one(options.output, opened, found, made, graph, options, progress))
         return Answer(
             source=opened.source,
             result=result,
@@ -130,10 +130,9 @@ def symmetry(
 
 def _find(
     opened: Opened, asked: MirrorOptions, min_still: float, options: Options
-) -> tuple[Mirrored, Symmetry, str]:
-    """Compare with the mirror image, name the motifs, and write the motion graph in a line."""
+) -> tuple[Mirrored, Symmetry, MotionGraph]:
+    """Compare with the mirror image, name the motifs, and draw the motion graph."""
     from leitmotion.api import compare_with_mirror, find_symmetry, motion_graph
-    from leitmotion.discovery import notation
 
     how: dict[str, Any] = {
         "metric": asked.metric,
@@ -145,13 +144,14 @@ def _find(
     made = compare_with_mirror(opened.recording, **how)
     found = find_symmetry(opened.recording, mirrored=made, min_still_s=min_still, **how)
     graph = motion_graph(opened.recording, weights=options.weights, bias=asked.bias, body_map=opened.roles)
-    return made, found, notation(graph)
+    return made, found, graph
 
 
-def symmetry_result(found: Symmetry, made: Mirrored, notation: str) -> Document:
+def symmetry_result(found: Symmetry, made: Mirrored, graph: MotionGraph) -> Document:
     """Make the result of the verb `symmetry`."""
     import numpy as np
 
+    from leitmotion.discovery import notation
     from leitmotion.similarity import symmetry_index
 
     rate = found.rate
@@ -169,7 +169,7 @@ def symmetry_result(found: Symmetry, made: Mirrored, notation: str) -> Document:
             }
             for span in found.spans
         ],
-        "notation": notation,
+        "notation": notation(graph),
         "strikes": [
             {"frame": int(frame), "time_s": round(float(frame) / rate, SECONDS_DIGITS)}
             for frame in found.strikes
@@ -223,12 +223,20 @@ def _told(span: SymmetrySpan, rate: float) -> tuple[str, ...]:
 
 
 def _write_one(
-    path: Path, opened: Opened, found: Symmetry, made: Mirrored, options: Options, progress: Progress
+    path: Path,
+    opened: Opened,
+    found: Symmetry,
+    made: Mirrored,
+    graph: MotionGraph,
+    options: Options,
+    progress: Progress,
 ) -> str:
     ending = path.suffix.lower()
     if ending == ".html":
         patterns = search(opened, replace(options, weights="equal"), progress)
-        return write_page(path, opened, patterns, options, progress, opens_with="symmetry", mirrored=made)
+        return write_page(
+            path, opened, patterns, options, progress, opens_with="symmetry", mirrored=made, graph=graph
+        )
     if ending == ".npz":
         return save_value(path, found)
     if ending == ".eaf":
