@@ -173,7 +173,7 @@ def sun_salutation() -> Dance:
         "xt": Way("X", "T", through([x, t]), 1.5, symmetric=True),
         "tw": Way("T", "W", through([t, w]), 1.0, symmetric=True),
         "wv": Way("W", "V", through([w, lunge, v]), 2.0),
-        "vv": Way("V", "V", through([v, low, arch, v], (0.0, 0.36, 0.70, 1.0)), 3.0, symmetric=True),
+        "vv": Way("V", "V", through([v, low, arch, v], (0.0, 0.36, 0.70, 1.0)), 2.4, symmetric=True),
         "vw": Way("V", "W", through([v, tuck, w]), 1.2, symmetric=True),
     }
     order = ["yx", "xy", "yy", "yy'", "yx", "xt", "tw", "wv", "vv", "vw", "wt", "tx", "xy"]

@@ -3,7 +3,8 @@
 Conventions
 -----------
 A movement is a row of steps: ways gone between two states, there (not reversed) or back, as they are or mirrored.
-*Place* x of a frame counts steps: it grows by 1 from the start of a step to its end, and stays where the body stays.
+*Place* x of a frame counts steps: it grows by 1 from the start of a step to its end, slowly from and to a halt, and
+stays where the body stays.
 The same holds for two steps when they are one way gone alike; a *reversal* is the same way gone back, a *reflection*
 its mirror image; symmetric ways are their own mirror image.
 
@@ -73,7 +74,14 @@ class Course(NamedTuple):
     def place(self, frames: np.ndarray) -> np.ndarray:
         """Tell the places of frames (T,)."""
         count = np.arange(len(self.steps))
-        return np.interp(frames, self.knots, np.stack((count, count + 1), axis=1).ravel().astype(float))
+        even = np.interp(frames, self.knots, np.stack((count, count + 1), axis=1).ravel().astype(float))
+        which = np.minimum(even.astype(int), len(self.steps) - 1)
+        first, last = np.array([step.halts for step in self.steps])[which].T
+        share = even - which
+        quarter = 0.5 * np.pi * share
+        to_halt = np.where(first, np.sin(quarter) ** 2, np.sin(quarter))
+        eased = np.where(last, to_halt, np.where(first, 1.0 - np.cos(quarter), share))
+        return np.asarray(which + eased)
 
     def moving(self, stretch: Stretch) -> np.ndarray:
         """Tell the places of those frames of a stretch in which the body moves, of one at least."""
@@ -134,12 +142,17 @@ def _still(course: Course, stretch: Stretch, _: Stretch) -> bool:
 
 def _symmetric(course: Course, stretch: Stretch, _: Stretch) -> bool:
     """In symmetric steps, or close to where a symmetric state is passed; over no asymmetric step."""
-    for step in course.steps:
-        within = min(step.stop, stretch[1]) - max(step.start, stretch[0])
-        if not step.symmetric and within > 0.5 * (step.stop - step.start):
-            return False
     places = course.place(np.arange(*stretch) + 0.5)
-    return bool(np.mean([_level(course, x) for x in places]) >= ALL)
+    return _over_none(course, stretch) and bool(np.mean([_level(course, x) for x in places]) >= ALL)
+
+
+def _over_none(course: Course, stretch: Stretch) -> bool:
+    """Whether no asymmetric step lies within a stretch by more than half."""
+    return all(
+        step.symmetric
+        or min(step.stop, stretch[1]) - max(step.start, stretch[0]) <= 0.5 * (step.stop - step.start)
+        for step in course.steps
+    )
 
 
 def _level(course: Course, x: float) -> bool:
@@ -163,16 +176,24 @@ def _share_symmetric(course: Course, stretch: Stretch) -> float:
 
 def _follows(course: Course, a: Stretch, b: Stretch, *, mirror: bool, back: bool) -> bool:
     """Whether the steps of one stretch are those of the other, at the lag, or about the middle, that they tell."""
-    places, others = (course.moving(each) for each in (a, b))
-    both = float(places[[0, -1]].mean()), float(others[[0, -1]].mean())
-    about = both[0] + both[1] if back else both[1] - both[0]
-    link = round(about)
-    if abs(about - link) > ALIGNED or (not back and not mirror and link == 0):
-        return False
+    places, others = course.moving(a), course.moving(b)
+    ends = zip(places[[0, -1]], others[[-1, 0]] if back else others[[0, -1]], strict=True)
+    for about in [p + q if back else q - p for p, q in ends]:
+        link = round(about)
+        if abs(about - link) > ALIGNED or (not back and not mirror and link == 0):
+            continue
+        if all(
+            np.mean([course.alike(j, k, mirror=mirror, back=back) for j, k in links]) >= CARRIED
+            for links in (_linked(places, link, back), _linked(others, link if back else -link, back))
+        ):
+            return True
+    return False
+
+
+def _linked(places: np.ndarray, link: int, back: bool) -> list[tuple[int, int]]:
+    """Each place's step with the one that corresponds to it at a lag, or about a middle."""
     steps = np.floor(places).astype(int)
-    partners = link - 1 - steps if back else steps + link
-    held = [course.alike(j, k, mirror=mirror, back=back) for j, k in zip(steps, partners, strict=True)]
-    return bool(np.mean(held) >= CARRIED)
+    return list(zip(steps.tolist(), (link - 1 - steps if back else steps + link).tolist(), strict=True))
 
 
 def _same_posture(course: Course, a: Stretch, b: Stretch, *, mirror: bool) -> bool:
@@ -219,7 +240,7 @@ def _cycle(course: Course, stretch: Stretch, *, symmetric: bool) -> bool:
         return False
     share = _share_symmetric(course, stretch)
     if symmetric:
-        return share >= ALL
+        return share >= ALL and _over_none(course, stretch)
     within = {int(x) for x in course.moving(stretch) - 1e-9}
     turned = any(
         course.alike(j, j + 1, mirror=True, back=True)
