@@ -1,7 +1,8 @@
 """Motifs and graphs against their truth: perfect answers are right, others are not, and what follows is no error."""
 
-from itertools import permutations
+from itertools import permutations, product
 
+import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
@@ -16,7 +17,10 @@ from leitmotion.evaluation import (
     evaluate_motifs,
     same_graph,
 )
+from leitmotion.evaluation.motif_truth import Course
+from leitmotion.features import kinematic_chain, mirrored
 from leitmotion.motion import ParameterError
+from leitmotion.motion.rotations import geodesic_angle
 
 OPPOSITES = {
     "symmetric_cycle": "asymmetric_cycle",
@@ -212,3 +216,24 @@ def test_nonsense_is_refused():
         evaluate_motifs([MotifSpan("stillness", 3, 3)], asked, steps)
     with pytest.raises(ParameterError, match="one step at least"):
         evaluate_motifs([], asked, [])
+
+
+@pytest.mark.parametrize("name", MOTIONS)
+def test_steps_are_alike_where_their_postures_are_and_only_there(name):
+    found = compose_motif(name, rate=120.0, variation=None)
+    course = Course.of([GoneStep(*step) for step in found.steps])
+    chain = kinematic_chain(found.motion)
+    values = [each.values.reshape(len(chain), -1, 4) for each in (chain, mirrored(chain))]
+    first = {(step.path, step.reversed, step.mirrored): k for k, step in enumerate(found.steps)}
+    for j, k, mirror, back in product(first.values(), first.values(), (False, True), (False, True)):
+        a, b = (
+            np.linspace(course.steps[each].start, course.steps[each].stop - 1, 15).astype(int)
+            for each in (j, k)
+        )
+        ends = values[0][a], values[int(mirror)][b[::-1] if back else b]
+        apart = np.degrees(geodesic_angle(*ends)).mean(axis=1)
+        told = f"{found.steps[j]} and {found.steps[k]}, mirror {mirror}, back {back}: {apart}"
+        if course.alike(j, k, mirror=mirror, back=back):
+            assert np.median(apart) < 2.0, told
+        else:
+            assert apart.max() > 6.0, told
