@@ -1,5 +1,7 @@
 """The composed motions of paper S: laws of space and time, and a truth that follows every variation."""
 
+import functools
+
 import numpy as np
 import pytest
 
@@ -29,6 +31,7 @@ ONLY = {
 }
 
 
+@functools.cache
 def exact(name, rate=60.0):
     return compose_motif(name, rate=rate, variation=None)
 
@@ -176,6 +179,17 @@ def test_amplitude_and_tempo_stay_in_their_range_and_reach_its_ends():
     tempo = 8.1 / np.array(lengths)
     assert 0.7 <= tempo.min() < 0.8
     assert 1.25 < tempo.max() <= 1.41
+
+
+@pytest.mark.parametrize("name", ["jogging in place", "side kicks"])
+def test_the_rate_changes_how_often_the_movement_is_looked_at_not_the_movement(name):
+    variation = Variation(noise_deg=0.0)
+    slow, fast = (compose_motif(name, seed=3, rate=rate, variation=variation) for rate in (40.0, 80.0))
+    every_second = fast.motion.local_rotations[::2][: len(slow.motion)]
+    assert geodesic_angle(slow.motion.local_rotations, every_second).max() < 1e-6
+    for a, b in zip(slow.steps, fast.steps, strict=True):
+        assert a.start == -(-b.start // 2)
+        assert a.stop == -(-b.stop // 2)
 
 
 def test_the_same_seed_gives_the_same_motion_and_another_another():

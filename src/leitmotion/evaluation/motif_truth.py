@@ -253,7 +253,7 @@ def _cycle(course: Course, stretch: Stretch, *, symmetric: bool) -> bool:
 def _turns(course: Course, stretch: Stretch, *, mirror: bool, symmetric: bool) -> bool:
     """Whether a stretch goes back the way it came, about a border near its middle."""
     places = course.moving(stretch)
-    if (_share_symmetric(course, stretch) >= CARRIED) != symmetric:
+    if (_share_symmetric(course, stretch) >= CARRIED and _over_none(course, stretch)) != symmetric:
         return False
     for border in range(1, len(course.steps)):
         inside = places[(2 * border - places >= places[0]) & (2 * border - places <= places[-1])]
