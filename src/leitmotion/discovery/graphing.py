@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from itertools import pairwise
 from typing import Any, NamedTuple
 
@@ -13,7 +13,7 @@ from leitmotion.discovery.lettering import named
 from leitmotion.discovery.moments import Moments, moments_of
 from leitmotion.discovery.motion_graph import MotionGraph
 from leitmotion.discovery.reducing import Walked, reduced
-from leitmotion.discovery.states import apart_of, askew, cluster, straight
+from leitmotion.discovery.states import alike_within, askew, cluster, straight
 from leitmotion.discovery.turning import centres, halts
 from leitmotion.discovery.visiting import visits
 from leitmotion.discovery.ways import Atlas
@@ -87,23 +87,23 @@ class _Drawn(NamedTuple):
     confidence: float
 
 
-def _drawn(moments: Moments, candidates: Sequence[int], extents: Sequence[float]) -> _Drawn:
+def _drawn(moments: Moments, candidates: Sequence[int], extents: Mapping[int, float]) -> _Drawn:
     """States and paths from these candidates."""
     if not candidates:
         nothing: list[list[Any]] = [[] for _ in moments.starts[1:]]
         return _Drawn(Walked(nothing, nothing, []), moments.half, 0.0)
-    alike = apart_of(moments, candidates, extents)
-    orbits = cluster(moments, candidates, alike)
-    return _Drawn(reduced(visits(moments, orbits), Atlas(moments, alike)), alike, orbits.confidence)
+    orbits = cluster(moments, candidates, alike_within(moments, candidates, extents))
+    walked = reduced(visits(moments, orbits), Atlas(moments, orbits.alike))
+    return _Drawn(walked, float(np.median(orbits.alike)), orbits.confidence)
 
 
-def _candidates(moments: Moments, mirror: np.ndarray) -> tuple[list[int], list[float]]:
+def _candidates(moments: Moments, mirror: np.ndarray) -> tuple[list[int], dict[int, float]]:
     """Moments at which a state may be, in order, and how far the cycles lead that halt nowhere."""
     lopsided = np.diagonal(mirror)
-    found, extents = [], []
+    found: set[int] = set()
+    extents: dict[int, float] = {}
     for start, stop in pairwise(moments.starts.tolist()):
-        at = sorted({*halts(moments, start, stop), *centres(moments, lopsided, start, stop)})
-        round_ = cycles(moments, mirror, at, start, stop)
-        found += [*at, *(cycle.state for cycle in round_)]
-        extents += [cycle.extent for cycle in round_]
-    return sorted(set(found)), extents
+        at = {*halts(moments, start, stop), *centres(moments, lopsided, start, stop)}
+        extents |= {cycle.state: cycle.extent for cycle in cycles(moments, mirror, sorted(at), start, stop)}
+        found |= at
+    return sorted(found | set(extents)), extents

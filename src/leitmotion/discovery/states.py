@@ -1,8 +1,12 @@
-"""States: candidates that are the same posture, or each other's mirror image, and every time that one is passed."""
+"""States: candidates that are the same posture, or each other's mirror image.
+
+How near is the same is told by how far the movement leads: a halt is alike to others within half of the way to the next
+halt, be it a small wave or a jump with both arms.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from itertools import pairwise
 from typing import NamedTuple
 
@@ -13,8 +17,9 @@ from leitmotion.discovery.moments import Moments
 RETURNED = (
     0.6  # of the farthest way between: two halts nearer than that are a return, others are two postures
 )
-ALIKE = 0.5  # of the least way between two postures, within which they are the same
-APART = 1.5  # times what is half alike, from which two postures count as apart
+ALIKE = 0.5  # of the way to another posture, within which a halt is the same
+ROUND = 0.4  # of how far a cycle leads that halts nowhere
+APART = 1.5  # times what is half alike, from which on two postures are apart
 LOOSEST = np.radians(20.0)
 ASKEW = np.radians(8.0)  # lopsidedness that may be how a suit sits
 
@@ -24,12 +29,12 @@ class Orbits(NamedTuple):
 
     members: tuple[np.ndarray, ...]
     """Moments of each."""
-    symmetric: tuple[bool, ...]
     sides: tuple[np.ndarray, ...]
-    """1 or -1 for each member."""
-    alike: float
-    """The angle within which two moments are the same state."""
+    """1 or -1 for each member, as it is the state or its mirror image; 0 where that is one."""
+    alike: tuple[float, ...]
+    """The angle within which a moment is in the state."""
     confidence: float
+    """0 where two states are as near as the members of one, 1 where members do not differ."""
 
 
 def askew(moments: Moments) -> float:
@@ -43,53 +48,76 @@ def straight(angle: np.ndarray, floor: float) -> np.ndarray:
     return np.sqrt(np.maximum(np.square(angle) - floor**2, 0.0))
 
 
-def apart_of(moments: Moments, candidates: Sequence[int], extents: Sequence[float] = ()) -> float:
-    """The angle within which two candidates are the same state, from those that follow one another."""
-    own = moments.own
-    chords = []
-    for a, b in pairwise(candidates):
-        if np.searchsorted(moments.starts, a, side="right") != np.searchsorted(
-            moments.starts, b, side="right"
-        ):
-            continue
-        chord, way = own[a, b], own[a, a : b + 1].max()
-        if chord > max(RETURNED * way, APART * moments.half):
-            chords.append(chord)
-    chords += [0.8 * extent for extent in extents]
-    if not chords:
-        return float(moments.half)
-    return float(np.clip(ALIKE * np.percentile(chords, 10), moments.half, LOOSEST))
+def alike_within(moments: Moments, candidates: Sequence[int], extents: Mapping[int, float]) -> np.ndarray:
+    """Tell of each candidate within which angle another is the same posture.
+
+    Parameters
+    ----------
+    moments : Moments
+        All recordings.
+    candidates : sequence of int
+        Moments, in order.
+    extents : mapping of int to float
+        Of those by which a movement goes round without a halt, how far it leads.
+
+    Returns
+    -------
+    (C,) float
+        Radians: what is half alike at least, 20 degrees at most.
+    """
+    least = np.full(len(candidates), np.inf)
+    for start, stop in pairwise(moments.starts.tolist()):
+        here = [k for k, moment in enumerate(candidates) if start <= moment < stop]
+        for one, other in pairwise(here):
+            a, b = candidates[one], candidates[other]
+            chord, way = float(moments.own[a, b]), float(moments.own[a, a : b + 1].max())
+            far = chord if chord > RETURNED * way else way
+            if far > APART * moments.half:
+                least[[one, other]] = np.minimum(least[[one, other]], ALIKE * far)
+    for k, moment in enumerate(candidates):
+        if moment in extents:
+            least[k] = min(least[k], ROUND * extents[moment])
+    least[np.isinf(least)] = np.min(least) if np.isfinite(least).any() else moments.half
+    return np.clip(least, moments.half, max(LOOSEST, moments.half))
 
 
-def cluster(moments: Moments, candidates: Sequence[int], alike: float) -> Orbits:
-    """Group candidates that are alike, or each other's mirror image."""
+def cluster(moments: Moments, candidates: Sequence[int], alike: np.ndarray) -> Orbits:
+    """Group candidates that are alike, or each other's mirror image.
+
+    Parameters
+    ----------
+    moments : Moments
+        All recordings.
+    candidates : sequence of int
+        Moments, in order.
+    alike : (C,) float
+        What :func:`alike_within` tells of them; of two the lesser counts.
+
+    Returns
+    -------
+    Orbits
+        In the order of their first members.
+    """
     from scipy.cluster.hierarchy import fcluster, linkage
     from scipy.spatial.distance import squareform
 
     at = np.asarray(candidates)
-    floor = askew(moments)
     own = moments.own[np.ix_(at, at)].astype(float)
-    mirror = straight(moments.mirror[np.ix_(at, at)].astype(float), floor)
-    either = np.minimum(own, mirror)
+    mirror = straight(moments.mirror[np.ix_(at, at)].astype(float), askew(moments))
+    either = np.minimum(own, mirror) / np.minimum.outer(alike, alike)
     np.fill_diagonal(either, 0.0)
-    if len(at) == 1:
-        label = np.array([1])
-        heights = np.zeros(0)
-    else:
+    heights, label = np.zeros(0), np.ones(1, dtype=int)
+    if len(at) > 1:
         tree = linkage(squareform(either, checks=False), method="average")
-        label = fcluster(tree, alike, criterion="distance")
-        heights = tree[:, 2]
-    order = sorted(set(label.tolist()), key=lambda one: int(np.flatnonzero(label == one)[0]))
-    members, symmetric, sides = [], [], []
-    for one in order:
+        heights, label = tree[:, 2], fcluster(tree, 1.0, criterion="distance")
+    members, sides, within = [], [], []
+    for one in dict.fromkeys(label.tolist()):
         inside = np.flatnonzero(label == one)
-        lop = float(np.median(mirror[inside, inside]))
+        within.append(float(np.median(alike[inside])))
         members.append(at[inside])
-        symmetric.append(lop < alike)
+        symmetric = np.median(mirror[inside, inside]) < within[-1]
         near = own[inside[0], inside] <= mirror[inside[0], inside]
-        sides.append(np.where(near, 1, -1) if not symmetric[-1] else np.ones(len(inside), dtype=int))
-    within = max([h for h in heights if h <= alike], default=0.0)
-    between = min([h for h in heights if h > alike], default=2 * alike)
-    return Orbits(
-        tuple(members), tuple(symmetric), tuple(sides), alike, float(np.clip(1.0 - within / between, 0, 1))
-    )
+        sides.append(np.zeros(len(inside), dtype=int) if symmetric else np.where(near, 1, -1))
+    inner, outer = heights[heights <= 1.0], heights[heights > 1.0]
+    confidence = 1.0 - float(inner.max(initial=0.0)) / float(outer.min(initial=2.0))
+    return Orbits(tuple(members), tuple(sides), tuple(within), float(np.clip(confidence, 0.0, 1.0)))

@@ -10,7 +10,7 @@ import numpy as np
 from leitmotion.discovery.moments import Moments
 from leitmotion.discovery.states import Orbits, askew, straight
 
-# reach of a state: between these shares of what is alike, so many times as far as its visits are apart
+# reach of a state: between these shares of what is alike, and so many times as far as its members are apart
 CLOSEST, PASSED, SPREAD = 0.25, 0.7, 2.5
 HELD, AS_EVER = 0.35, 0.2  # of what is alike: as near is held, or as little farther than ever during a visit
 
@@ -34,7 +34,7 @@ class _Node(NamedTuple):
     orbit: int
     side: int
     away: np.ndarray
-    """(N,) how far each moment is."""
+    """(N,) how far each moment is, as a share of what is alike."""
     reach: float
     """How near a moment has to come that only passes."""
     members: np.ndarray
@@ -58,34 +58,35 @@ def visits(moments: Moments, orbits: Orbits) -> list[list[Stop]]:
         Visits of a recording, which do not overlap. What never left a state between two is one visit.
     """
     nodes = _nodes(moments, orbits)
-    return [_row(nodes, int(start), int(stop), orbits.alike) for start, stop in pairwise(moments.starts)]
+    return [_row(nodes, int(start), int(stop)) for start, stop in pairwise(moments.starts)]
 
 
 def _nodes(moments: Moments, orbits: Orbits) -> list[_Node]:
     floor = askew(moments)
     nodes = []
-    for orbit, (members, symmetric, sides) in enumerate(
-        zip(orbits.members, orbits.symmetric, orbits.sides, strict=True)
+    for orbit, (members, sides, alike) in enumerate(
+        zip(orbits.members, orbits.sides, orbits.alike, strict=True)
     ):
-        for side in (0,) if symmetric else (1, -1):
-            own = np.full(len(members), True) if symmetric else sides == side
-            rows = np.where(own[:, None], moments.own[members], straight(moments.mirror[members], floor))
-            reach = _reach(rows[:, members], own, orbits.alike)
-            nodes.append(_Node(orbit, side, np.median(rows, axis=0), reach, members[own]))
+        for side in (1, -1) if sides.any() else (0,):
+            own = sides == side
+            image = straight(moments.mirror[members], floor)
+            rows = np.where(own[:, None], moments.own[members], image) / alike
+            nodes.append(
+                _Node(orbit, side, np.median(rows, axis=0), _reach(rows[:, members], own), members[own])
+            )
     return nodes
 
 
-def _reach(apart: np.ndarray, own: np.ndarray, alike: float) -> float:
+def _reach(apart: np.ndarray, own: np.ndarray) -> float:
     """How near is near enough: about as near as the members are to one another, where there are several."""
     if len(apart) < 2:
-        return PASSED * alike
-    # from an image to the members of the other side it is as far as from the state to those of its own
-    same = own[:, None] == own[None] if own.any() else np.full(apart.shape, False)
-    between = apart[(same if same.sum() > len(own) else ~same) & ~np.eye(len(apart), dtype=bool)]
-    return float(np.clip(SPREAD * np.median(between), CLOSEST * alike, PASSED * alike))
+        return PASSED
+    between = apart[:, own] if own.any() else apart
+    between = between[between > 0.0]
+    return float(np.clip(SPREAD * np.median(between), CLOSEST, PASSED)) if between.size else PASSED
 
 
-def _row(nodes: list[_Node], start: int, stop: int, alike: float) -> list[Stop]:
+def _row(nodes: list[_Node], start: int, stop: int) -> list[Stop]:
     """The visits of a recording."""
     away = np.stack([node.away[start:stop] for node in nodes])
     nearest = away.argmin(axis=0)
@@ -95,33 +96,31 @@ def _row(nodes: list[_Node], start: int, stop: int, alike: float) -> list[Stop]:
         here = node.members[(node.members >= start) & (node.members < stop)] - start
         nearest[here], inside[here], told[here] = k, True, k
     stops: list[Stop] = []
-    runs = _runs(away, nearest, inside, alike)
+    runs = _runs(away, nearest, inside)
     for k, (which, first, last) in enumerate(runs):
         after = runs[k + 1][1] if k + 1 < len(runs) else stop - start
         before = stops[-1].stop - start if stops else 0
-        begin, end = _held(away[which], before, first, last, after, alike)
+        begin, end = _held(away[which], before, first, last, after)
         halted = bool((told[first : last + 1] == which).any())
         stops.append(Stop(nodes[which].orbit, nodes[which].side, start + begin, start + end, halted))
     return stops
 
 
-def _runs(
-    away: np.ndarray, nearest: np.ndarray, inside: np.ndarray, alike: float
-) -> list[tuple[int, int, int]]:
+def _runs(away: np.ndarray, nearest: np.ndarray, inside: np.ndarray) -> list[tuple[int, int, int]]:
     """Runs of moments at one state: which, the first and the last; those between which it was not left are one."""
     runs: list[tuple[int, int, int]] = []
     for t in np.flatnonzero(inside).tolist():
         which = int(nearest[t])
-        if runs and runs[-1][0] == which and away[which, runs[-1][2] : t + 1].max() < alike:
+        if runs and runs[-1][0] == which and away[which, runs[-1][2] : t + 1].max() < 1.0:
             runs[-1] = (which, runs[-1][1], t)
         else:
             runs.append((which, t, t))
     return runs
 
 
-def _held(away: np.ndarray, before: int, first: int, last: int, after: int, alike: float) -> tuple[int, int]:
+def _held(away: np.ndarray, before: int, first: int, last: int, after: int) -> tuple[int, int]:
     """How long a state is held around a run [first, last]: as long as it is about as near as ever."""
-    limit = max(away[first : last + 1].min() + AS_EVER * alike, HELD * alike)
+    limit = max(away[first : last + 1].min() + AS_EVER, HELD)
     near = first + np.flatnonzero(away[first : last + 1] <= limit)
     begin, end = int(near[0]), int(near[-1]) + 1
     while begin > before and away[begin - 1] <= limit:

@@ -13,10 +13,9 @@ from leitmotion.discovery.states import askew, straight
 from leitmotion.discovery.visiting import Stop
 from leitmotion.similarity import align
 
-SAME = 0.4  # of how far a way leads: ways that differ by less, at the worst moments but a few, are one path
-LOPSIDED = (
-    1.25  # times that of a way and the image of another between lopsided states: nobody's sides are the same
-)
+SAME = 0.5  # of how far a way leads: ways that differ by less, at the worst moments but a few, are one path
+BACKWARDS = 0.8  # times that of a way and another gone backwards, so that no arrow turns round by chance
+LOPSIDED = 1.25  # times that of a way and an image between lopsided states: nobody's sides are quite the same
 WORST = 85.0  # percentile of the moments
 LEAST = 0.8  # of what makes two moments the same state: ways may differ as much as their ends may
 COMPARED = 8  # ways of a path with which another is compared
@@ -76,15 +75,19 @@ def node_of(stop: Stop, mirrored: bool = False) -> Node:
 class Atlas:
     """Tells which path each way is."""
 
-    def __init__(self, moments: Moments, alike: float) -> None:
+    def __init__(self, moments: Moments, alike: Sequence[float]) -> None:
         self.moments = moments
-        self.least = LEAST * alike
+        self.alike = alike
         self.floor = askew(moments)
         self.costs: dict[tuple[int, int, int, int, bool, bool], float] = {}
 
     def extent(self, way: Way) -> float:
         """How far a way leads from where it began."""
         return float(self.moments.own[way.start, way.start : way.stop].max())
+
+    def ends(self, way: Way) -> float:
+        """Within which angle the ends of a way are the same as those of another."""
+        return min(self.alike[way.source.orbit], self.alike[way.target.orbit])
 
     def differs(self, a: Way, b: Way, mirrored: bool, reversed: bool) -> float:
         """How far a way is from another, gone so, as a share of how far they lead; below 1 they are the same."""
@@ -99,7 +102,8 @@ class Atlas:
             worst = float(np.percentile(along, WORST))
             if mirrored:
                 worst = float(straight(np.array(worst), self.floor))
-            allowed = max(SAME * max(self.extent(a), self.extent(b)), self.least)
+            share = SAME * (BACKWARDS if reversed else 1.0)
+            allowed = max(share * max(self.extent(a), self.extent(b)), LEAST * self.ends(a))
             if mirrored and a.source.side:
                 allowed *= LOPSIDED
             self.costs[key] = worst / allowed
