@@ -7,7 +7,10 @@ import numpy as np
 import pytest
 
 import leitmotion as lm
+from leitmotion.datasets import MOTIONS, compose_motif
 from leitmotion.discovery import build_graph, notation, performed, racemized
+from leitmotion.discovery.racemizing import starred
+from leitmotion.evaluation import GraphPath, GraphShape, GraphState, same_graph
 from leitmotion.features import kinematic_chain, mirrored
 from leitmotion.features.resampling import resample
 from leitmotion.io import load, save
@@ -29,6 +32,25 @@ def edges(graph, names, *, backwards=False):
         ends = [names[path.source], names[path.target]][:: -1 if backwards else 1]
         told.append((*(sorted(ends) if path.reversible else ends), path.reversible, path.symmetric))
     return sorted(told)
+
+
+def shape(graph):
+    return GraphShape(
+        [GraphState(state.name, state.symmetric, state.mirror) for state in graph.states],
+        [GraphPath(path.source, path.target, path.symmetric, path.reversible) for path in graph.paths],
+    )
+
+
+def shape_of_truth(composed):
+    held = {state.name for state in composed.states}
+    image = {name: name if symmetric else starred(name) for name, symmetric, _ in composed.states}
+    return GraphShape(
+        [
+            GraphState(state.name, state.symmetric, image[state.name] if image[state.name] in held else "")
+            for state in composed.states
+        ],
+        [GraphPath(path.source, path.target, path.symmetric, path.reversible) for path in composed.paths],
+    )
 
 
 def isomorphic(one, other, *, backwards=False):
@@ -91,6 +113,23 @@ def test_yaw_and_place_change_nothing(rng):
     there = oracle.moved(motion, yaw=2.0, by=[3.0, 0.0, -1.0])
     one, other = (build_graph([kinematic_chain(each)]) for each in (motion, there))
     assert (one.states, one.paths) == (other.states, other.paths)
+
+
+@pytest.mark.parametrize("name", MOTIONS)
+def test_the_composed_motions_have_their_graphs_whatever_way_they_are_told(name):
+    composed = compose_motif(name, seed=7, rate=60.0)
+    graph = lm.motion_graph(composed.motion)
+    assert same_graph(shape(graph), shape_of_truth(composed))
+    image = oracle.mirrored(composed.motion)
+    assert isomorphic(lm.motion_graph(image), graph)
+    there = oracle.moved(composed.motion, yaw=2.0, by=[3.0, 0.0, -1.0])
+    assert isomorphic(lm.motion_graph(there), graph)
+
+
+@pytest.mark.parametrize("name", MOTIONS)
+def test_points_tell_what_joints_tell(name):
+    exact = compose_motif(name, rate=30.0, variation=None)
+    assert same_graph(shape(lm.motion_graph(oracle.points_of(exact.motion))), shape_of_truth(exact))
 
 
 def test_visits_follow_one_another_and_paths_lie_between_them():
