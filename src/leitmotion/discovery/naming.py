@@ -28,6 +28,7 @@ PARTING = (
     0.3,
 )  # share of a movement that is antisymmetric: symmetric up to one, asymmetric from the other
 ALTERNATING = 0.35, 0.6  # one side moves, both alternate
+POSTURES = 0.93, 0.98  # share of postures that are alike to their mirror images: symmetric from the other on
 LASTING = (
     np.radians(10.0),
     np.radians(16.0),
@@ -36,7 +37,7 @@ LEAST_CONFIDENCE = 0.1
 IN_GENERAL = 0.9  # of the confidence of what is told more fully, that what it implies has at most
 LESS_SPECIAL = 0.2  # of the confidence of an anti-palindrome, that being anti-phase besides says less
 IMPLIED = 0.6  # of a form, that another tells which implies it
-ONCE = 0.6  # of the confidence that what came back once has, since nothing shows that it would again
+ONCE = 0.75  # of the confidence that what came back once has, since nothing shows that it would again
 NAMES = {
     # mirror, reversed: where symmetric, where not, and what it is implied by
     (True, True): ("", "anti_palindrome"),
@@ -169,7 +170,12 @@ def _of_sides(symmetric: float, motif: str, asymmetric: str) -> tuple[str, float
 def _symmetric(waypoints: Waypoints, first: int, last: int) -> float:
     """How clearly a stretch is symmetric: both sides do the same, from postures that are about the same."""
     sides = _sides(waypoints, first, last)
-    return _ramp(sides.parting, *PARTING[::-1]) * _ramp(sides.lasting, *LASTING[::-1])
+    alike = (np.diagonal(waypoints.mirror) <= waypoints.alike)[first : last + 1].mean()
+    return (
+        _ramp(sides.parting, *PARTING[::-1])
+        * _ramp(sides.lasting, *LASTING[::-1])
+        * _ramp(float(alike), *POSTURES)
+    )
 
 
 def _told_sides(waypoints: Waypoints, first: int, last: int) -> str:

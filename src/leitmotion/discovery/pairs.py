@@ -97,7 +97,7 @@ def loops(apart: np.ndarray, waypoints: Waypoints, forms: Sequence[Form]) -> lis
         left = np.flatnonzero(waypoints.own[j, :j] > LEFT * waypoints.alike[j])
         before = np.flatnonzero(near[: left[-1], j] < SAME_STATE) if left.size else left
         if before.size:
-            i = before[-1] - int(np.argmin(near[max(before[-1] - 3, 0) : before[-1] + 1, j][::-1]))
+            i, j = _nearest(near, int(before[-1]), j)
             back.append((j - i, float(near[i, j]), i, j))
     found: list[Pair] = []
     for way, cost, i, j in sorted(back):
@@ -109,6 +109,16 @@ def loops(apart: np.ndarray, waypoints: Waypoints, forms: Sequence[Form]) -> lis
         ) and all(_shared(whole, (pair.earlier[0], pair.later[0])) == 0 for pair in found):
             found.append(Pair((i, i), (j, j), cost))
     return found
+
+
+def _nearest(near: np.ndarray, i: int, j: int) -> tuple[int, int]:
+    """Go on outwards, to where both postures are nearest."""
+    while True:
+        ways = [(a, b) for a, b in ((i - 1, j), (i, j + 1), (i - 1, j + 1)) if a >= 0 and b < len(near)]
+        best = min(ways, key=lambda way: near[way], default=(i, j))
+        if near[best] >= near[i, j]:
+            return i, j
+        i, j = best
 
 
 def _shared(one: tuple[int, int], other: tuple[int, int]) -> int:

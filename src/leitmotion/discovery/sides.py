@@ -79,36 +79,47 @@ def sides_of(own: np.ndarray, products: np.ndarray, first: int, last: int) -> Si
 
 def without_lasting(
     own: np.ndarray, products: np.ndarray, since: np.ndarray, until: np.ndarray
-) -> tuple[np.ndarray, np.ndarray]:
-    """Take out of D* what the sides differ by for long.
+) -> np.ndarray:
+    """Take out of D* what the sides differ by for long: throughout, or around each posture.
 
     Parameters
     ----------
     own, products : (K, K) float
         Angles in D, and what :func:`antisymmetric` makes.
     since, until : (K,) int
-        Around each posture the stretch ``[since, until)`` of whose antisymmetric part the mean is taken out, or as much
-        of it as is no more than 10 degrees of a mean link.
+        Around each posture the stretch ``[since, until)``.
 
     Returns
     -------
-    mirror : (K, K) float32
-        Angles in D* without it, and without what is left at least between any posture and a mirror image.
-    taken : (K,) float
-        What was taken out, as the angle from such a posture to its mirror image.
+    (K, K) float32
+        Angles in D* without the mean antisymmetric part, of which no more than 10 degrees of a mean link are taken out,
+        and without what is left at least between any posture and a mirror image. Of both means the one that makes a
+        pair of postures more alike counts.
     """
+    if not len(own):
+        return np.zeros((0, 0), np.float32)
+    everywhere = np.zeros_like(since), np.full_like(until, len(own))
+    size = np.diagonal(products)
+    symmetric = own**2 - (size[:, None] + size - 2 * products)
+    squares = np.full_like(products, np.inf)
+    for stretch in ((since, until), everywhere):
+        moving = _about_means(products, *stretch)
+        size = np.diagonal(moving)
+        np.minimum(squares, symmetric + size[:, None] + size + 2 * moving, out=squares)
+    np.maximum(squares, 0, out=squares)
+    left_over = min(float(np.quantile(squares.min(axis=1), NEAREST)), LEFT_OVER**2)
+    mirror: np.ndarray = np.sqrt(np.maximum(squares - left_over, 0)).astype(np.float32)
+    return mirror
+
+
+def _about_means(products: np.ndarray, since: np.ndarray, until: np.ndarray) -> np.ndarray:
+    """Inner products of antisymmetric parts without the mean around each, as far as that is not too large."""
     rows = _means(products, since, until)
     lasting = 2 * np.sqrt(np.maximum(np.diagonal(_means(rows.T, since, until)), 0))
     share = np.minimum(1.0, LARGEST / np.maximum(lasting, LARGEST))
     part = products - share[:, None] * rows
     part -= share * _means(part.T, since, until).T
-    size = np.diagonal(part)
-    before = np.diagonal(products)
-    alike = own**2 - (before[:, None] + before - 2 * products)  # of the symmetric parts
-    squares = np.maximum(alike + size[:, None] + size + 2 * part, 0)
-    left_over = min(float(np.quantile(squares.min(axis=1), NEAREST)), LEFT_OVER**2) if len(squares) else 0.0
-    mirror: np.ndarray = np.sqrt(np.maximum(squares - left_over, 0)).astype(np.float32)
-    return mirror, share * lasting
+    return part
 
 
 def _means(values: np.ndarray, since: np.ndarray, until: np.ndarray) -> np.ndarray:

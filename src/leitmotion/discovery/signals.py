@@ -21,6 +21,8 @@ from leitmotion.discovery.waypoints import Waypoints
 CEILING = 8.0  # waypoints that a path can lose before it ends, whatever it gained
 LEAST_GAIN = 1.5  # of a signal, in waypoints that are the same
 LOOSE, LOOSEST = 2.0, 0.4  # times the usual cost of a path, but no less: beyond it an end is cut off
+REST = 3.0  # times as long as at other waypoints the body stays where it rests
+MEETS = 2  # waypoints apart at most a reversed path meets the identity axis
 BAND = 3  # waypoints beside a signal in which no other runs
 
 
@@ -95,6 +97,8 @@ def find_signals(waypoints: Waypoints, *, mirror: bool, reverse: bool) -> list[S
         cells = traced.copy()
         if reverse:
             cells[:, 1] = count - 1 - cells[:, 1]
+        kept = _between_rests(cells, waypoints)
+        traced, cells = traced[kept], cells[kept]
         cost = float(apart[traced[:, 0], traced[:, 1]].mean())
         found.append(Signal(cells, mirror, reverse, cost, _extent(cells, waypoints)))
     return found
@@ -105,6 +109,29 @@ def _trimmed(path: np.ndarray, apart: np.ndarray) -> np.ndarray:
     cost = apart[path[:, 0], path[:, 1]]
     near = np.flatnonzero(cost <= max(LOOSE * float(np.median(cost)), LOOSEST))
     return path[near[0] : near[-1] + 1]
+
+
+def _between_rests(path: np.ndarray, waypoints: Waypoints) -> slice:
+    """Which part of a path lies between the rests at its ends, where it has such: a way goes from rest to rest.
+
+    Both performances may be like each other beyond a rest for as far as postures are alike.
+    """
+    stays = np.diff(waypoints.at, append=waypoints.at[-1:] + 1)
+    stay = stays[path[:, 0]] + stays[path[:, 1]]
+    usual = float(np.median(stay))
+    starts = [_innermost(path, stay, waypoints, usual)]
+    if path[-1, 1] - path[-1, 0] > MEETS or path[0, 1] < path[-1, 1]:  # not the turn of a path that turns
+        starts.append(_innermost(path[::-1], stay[::-1], waypoints, usual))
+    return slice(starts[0], len(path) - (starts[1] if len(starts) > 1 else 0))
+
+
+def _innermost(path: np.ndarray, stay: np.ndarray, waypoints: Waypoints, usual: float) -> int:
+    """How many cells lie before the last of those, near the end of a path, in which the body stays."""
+    near = (waypoints.own[path[0], path] <= waypoints.alike[path[0]]).all(axis=1)
+    reach = min(int(np.argmin(near)) if not near.all() else len(path), len(path) // 3)
+    if reach < 1 or stay[:reach].max() < REST * usual:
+        return 0
+    return int(np.flatnonzero(stay[:reach] >= stay[:reach].max() / 2)[-1])
 
 
 def _extent(path: np.ndarray, waypoints: Waypoints) -> float:

@@ -24,13 +24,14 @@ from leitmotion.discovery.naming import (
     name_symmetric,
 )
 from leitmotion.discovery.pairs import Pair, loops, pairs_of_paths
+from leitmotion.discovery.sides import sides_of
 from leitmotion.discovery.signals import Signal, find_signals
 from leitmotion.discovery.symmetry_span import Symmetry, SymmetrySpan
 from leitmotion.discovery.waypoints import Waypoints, find_waypoints
 from leitmotion.similarity import DoubleMetric, still_spans
 
 STILL_SHARE = 0.6  # of the angle of half likeness, that a body which keeps still stays within
-STILL = np.radians(5.0), np.radians(8.0)  # bounds of that, of a mean link
+STILL = np.radians(5.0), np.radians(6.5)  # bounds of that, of a mean link
 SAME_PAIR = 0.6  # of both stretches of a pair, in those of another
 
 
@@ -86,10 +87,18 @@ def find_symmetry(found: DoubleMetric, *, min_still_s: float = 0.5) -> Symmetry:
             "metric": found.metric,
             "beta": found.beta,
             "half_alike_deg": float(np.degrees(found.half_angle)),
-            "sides_differ_deg": float(np.degrees(np.median(waypoints.lasting))) if len(waypoints.at) else 0.0,
+            "sides_differ_deg": _lasting_deg(waypoints),
             "links": found.names,
         },
     )
+
+
+def _lasting_deg(waypoints: Waypoints) -> float:
+    """By how much the mean posture and its mirror image differ, degrees."""
+    count = len(waypoints.at)
+    if not count:
+        return 0.0
+    return float(np.degrees(sides_of(waypoints.own, waypoints.products, 0, count - 1).lasting))
 
 
 def _pairs(

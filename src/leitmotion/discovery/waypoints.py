@@ -33,8 +33,6 @@ class Waypoints(NamedTuple):
     """(K, K) float32 angle of each to the mirror image of each, without what the sides differ by for long."""
     products: np.ndarray
     """(K, K) inner products of the antisymmetric parts (:func:`leitmotion.discovery.sides.antisymmetric`)."""
-    lasting: np.ndarray
-    """(K,) angle by which the sides differ for long around each."""
     alike: np.ndarray
     """(K,) float32 angle within which the posture is alike to another: a share of what the movement around it spans."""
 
@@ -79,8 +77,8 @@ def find_waypoints(found: DoubleMetric) -> Waypoints:
     way = np.concatenate(([0.0], np.cumsum(np.diagonal(own, 1))))[: len(at)]
     since = np.searchsorted(way, way - REACH)
     until = np.searchsorted(way, way + REACH, side="right")
-    mirror, lasting = without_lasting(own, products, since, until)
-    return Waypoints(at, own, mirror, products, lasting, _alike(own, since, until))
+    mirror = without_lasting(own, products, since, until)
+    return Waypoints(at, own, mirror, products, _alike(own, since, until))
 
 
 def _angles(distances: np.ndarray, metric: str) -> np.ndarray:
