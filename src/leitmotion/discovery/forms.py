@@ -27,7 +27,7 @@ SAME = 0.6  # of a run, that another covers which tells the same
 OUTER = 1.7  # ways: as much of the first and the last is told, where no further turn is seen
 FEWEST_TURNS = 3  # that make a run: two ways there and two back
 PASSING = 1.1  # as much more an anti-palindrome spans: what just passes a symmetric posture is like one
-MET = 0.75  # of a way, that a turn reaches into the next at least
+MET = 0.85  # of a way, that a turn reaches into the next at least
 MET_IN_CYCLE = 0.4  # the same, where cycles tell of both
 
 

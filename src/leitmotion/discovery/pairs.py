@@ -23,6 +23,7 @@ LONG = 3.0  # times as long as a loop a cycle is, of which the loop is a part of
 AS_GOOD = 0.8  # of the gain of the best, with which a nearer pair is told instead
 TOLD = 0.5  # of a later stretch, that was told already
 TWICE = 3  # marks of two cycles
+NEARER = 2.0  # ways: so much longer a loop may be that ends at no distance, not at that of what is alike
 SAME_STATE = 0.6  # of what is alike, within which a posture has come back
 LEFT = 2.0  # of what is alike, beyond which it had been left
 
@@ -98,10 +99,10 @@ def loops(apart: np.ndarray, waypoints: Waypoints, forms: Sequence[Form]) -> lis
         before = np.flatnonzero(near[: left[-1], j] < SAME_STATE) if left.size else left
         if before.size:
             i, j = _nearest(near, int(before[-1]), j)
-            back.append((j - i, float(near[i, j]), i, j))
+            back.append((int((j - i) * (1 + NEARER * near[i, j])), float(near[i, j]), i, j))
     found: list[Pair] = []
-    for way, cost, i, j in sorted(back):
-        whole = (i, j)
+    for _, cost, i, j in sorted(back):
+        whole, way = (i, j), j - i
         if not any(
             _shared(whole, (form.first, form.last)) > TOLD * min(way, form.last - form.first)
             for form in forms
