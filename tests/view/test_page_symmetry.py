@@ -171,13 +171,18 @@ def test_a_click_on_a_bar_plays_it_over_what_it_is_like(open_page: Open, symmetr
     at = marks[2] + 0.4 * (marks[3] - marks[2])
     ghost = page.evaluate(f"leitmotion.mirrorMoment({at})")
     assert ghost["mirrored"]
-    assert ghost["time"] == pytest.approx(marks[3] + 0.4 * (marks[4] - marks[3]))
+    assert ghost["time"] == pytest.approx(marks[3] + 0.4 * (marks[4] - marks[3]), abs=0.15)
     # Half a cycle later the body is its own mirror image, at once it is not.
     fits = page.evaluate(f"leitmotion.compareSides({at}, {ghost['time']}, true).distance")
     assert fits < 0.5 * page.evaluate(f"leitmotion.compareSides({at}, {at}, true).distance")
     page.evaluate(f"location.hash = 'view=symmetry&span=1&t={at}'")
     state(page)
     assert page.locator("#mirror-words").inner_text() == "its mirror image, half a cycle later"
+    assert (
+        f"{100 * fits:.1f} cm from its mirror image, half a cycle later."
+        in page.locator("#panel").inner_text()
+    )
+    assert page.locator(".moment b").nth(1).inner_text() == f"2 0:0{ghost['time']:.1f}"
     assert page.locator("#looping").inner_text() == "Looping A Alternates sides, 1 of 2"
     assert page.locator(".motifs .stretch").first.get_attribute("aria-pressed") == "true"
     page.keyboard.press("Escape")
@@ -227,6 +232,7 @@ def test_what_merely_comes_again_waits_behind_a_button(open_page: Open, symmetri
     assert more.inner_text() == "2 more: again, mirrored · keeps still"
     assert more.get_attribute("aria-expanded") == "false"
     more.click()
+    assert state(page)["more"]
     assert heads.all_inner_texts()[4:] == ["Again, mirrored", "Keeps still"]
     assert written(page)["more"] == ["1"]
     # Two stretches that belong together: the second is dashed, and both say so.

@@ -12,7 +12,8 @@ from leitmotion.discovery import SymmetrySpan
 from leitmotion.similarity import DoubleMetric, likeness
 from leitmotion.view import Mirroring, page_payload
 from leitmotion.view.curve_payload import curves_payload
-from leitmotion.view.symmetry_payload import ROWS, fit
+from leitmotion.view.symmetry_fit import fit
+from leitmotion.view.symmetry_payload import ROWS
 
 RATE = 30.0
 
@@ -143,17 +144,42 @@ def test_a_partner_is_what_should_look_like_now() -> None:
         assert (found["at"], found["to"], found["mirrored"]) == ([[0.0, 3.0]], [to], mirrored)
 
 
-def test_the_ghost_of_a_walk_fits_better_than_its_mirror_image_at_once(mirroring: Mirroring) -> None:
+def belonging(told: dict[str, Any], now: np.ndarray) -> np.ndarray:
+    """What a fit says to each moment, moments."""
+    ways = np.clip(np.searchsorted([at[0] for at in told["at"]], now / RATE, side="right") - 1, 0, None)
+    there = [np.interp(t / RATE, told["at"][k], told["to"][k]) for t, k in zip(now, ways)]
+    return np.rint(np.array(there) * RATE).astype(int)
+
+
+def test_the_ghost_of_a_walk_fits_where_its_mirror_image_at_once_does_not(mirroring: Mirroring) -> None:
     distances: DoubleMetric = mirroring.distances
     walk = next(span for span in mirroring.found.spans if span.motif == "anti_phase")
-    told = fit(walk, RATE)
     now = np.arange(walk.marks[0], walk.marks[-1])
-    starts, stops = np.array(told["at"]).T
-    piece = np.clip(np.searchsorted(starts, now / RATE, side="right") - 1, 0, len(starts) - 1)
-    share = (now / RATE - starts[piece]) / (stops - starts)[piece]
-    first, last = np.array(told["to"]).T
-    there = np.rint((first[piece] + share * (last - first)[piece]) * RATE).astype(int)
-    assert distances.mirror[now, there].mean() < 0.3 * distances.mirror[now, now].mean()
+    at_once = distances.mirror[now, now].mean()
+    evenly, warped = (
+        distances.mirror[now, belonging(fit(walk, RATE, by), now)].mean() for by in (None, distances)
+    )
+    assert evenly < 0.3 * at_once
+    assert warped < evenly
+
+
+def test_a_kick_is_laid_over_its_way_back(mirroring: Mirroring) -> None:
+    distances: DoubleMetric = mirroring.distances
+    kick = next(span for span in mirroring.found.spans if span.motif == "asymmetric_palindrome")
+    now = np.arange(kick.marks[0], kick.marks[-1])
+    told = fit(kick, RATE, distances)
+    assert not told["mirrored"]
+    for at, to in zip(told["at"], told["to"]):
+        assert (np.diff(at) > 0).all()
+        assert (np.diff(to) <= 0).all()
+    shuffled = distances.own[now, np.roll(now, len(now) // 3)].mean()
+    assert distances.own[now, belonging(told, now)].mean() < 0.3 * shuffled
+
+
+def test_where_nothing_was_seen_it_runs_evenly(mirroring: Mirroring) -> None:
+    walk = next(span for span in mirroring.found.spans if span.motif == "anti_phase")
+    blind = np.full_like(mirroring.distances.mirror, np.nan)
+    assert fit(walk, RATE, mirroring.distances.replace(mirror=blind)) == fit(walk, RATE)
 
 
 def test_without_symmetry_a_sentence_says_why(known: Any) -> None:

@@ -69,7 +69,11 @@ def test_what_no_pattern_holds_is_counted_as_stretches_once_each() -> None:
     letters = ["A", "", "", ""]
     assert symmetry_title(spans, letters) == "The sides alternate in two stretches"
     told = text(symmetry_lead(spans, letters))
-    assert told == "A returns as its own mirror image. One more stretch alternates sides."
+    assert told == "A returns as its own mirror image."
+    assert text(symmetry_lead(spans, [""] * 4)) == "Two stretches alternate sides."
+    again = [span("asymmetric_cycle"), span("reflected_path_repetition")]
+    told = text(symmetry_lead(again, ["A", ""]))
+    assert told == "A favours one side. One stretch comes again with the sides exchanged."
 
 
 def test_what_is_more_likely_wrong_than_right_is_not_said() -> None:

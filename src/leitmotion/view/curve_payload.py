@@ -26,24 +26,24 @@ def curves_payload(dynamics: Dynamics, *, step: int) -> dict[str, Any]:
     Returns
     -------
     dict
-        ``items``: ``id``, ``title``, ``note``, ``unit``, ``digits`` and int16 ``values`` in ``quantum``, -32768
-        unknown; ``flights``: ``start`` and ``stop``, seconds, and what they say of the recording.
+        ``items``: ``id``, ``title``, ``note``, ``unit``, ``digits``, ``from_zero`` and int16 ``values`` in ``quantum``,
+        -32768 unknown; ``flights``: ``start`` and ``stop``, seconds, and what they say of the recording.
     """
     mass = f"{dynamics.mass:.0f} kg"
     heavy = mass if dynamics.parameters.get("mass_given") else f"if it weighs {mass}"
     velocity = np.linalg.norm(dynamics.linear_momentum, axis=1) / dynamics.mass
     turning = np.linalg.norm(dynamics.angular_momentum, axis=1)
     told = (
-        ("speed", "Speed", "of the centre of mass", "m/s", 2, velocity),
-        ("height", "Height", "of the centre of mass", "m", 2, dynamics.centre_of_mass[:, 1]),
-        ("energy", "Kinetic energy", heavy, "J", 0, dynamics.kinetic_energy),
-        ("turning", "Angular momentum", heavy, "kg m²/s", 1, turning),
+        ("speed", "Speed", "of the centre of mass", "m/s", 2, True, velocity),
+        ("height", "Height", "of the centre of mass", "m", 2, False, dynamics.centre_of_mass[:, 1]),
+        ("energy", "Kinetic energy", heavy, "J", 0, True, dynamics.kinetic_energy),
+        ("turning", "Angular momentum", heavy, "kg m²/s", 1, True, turning),
     )
     return {
         "items": [
-            {"id": name, "title": title, "note": note, "unit": unit, "digits": digits}
+            {"id": name, "title": title, "note": note, "unit": unit, "digits": digits, "from_zero": from_zero}
             | _packed(values[::step])
-            for name, title, note, unit, digits, values in told
+            for name, title, note, unit, digits, from_zero, values in told
         ],
         "flights": [
             {

@@ -4,13 +4,11 @@ Conventions
 -----------
 Cells ``values[i, j]`` above the diagonal are Z, how like moments i and j are, on it and below it Z*, how like moment i
 is to the mirror image of moment j: both are symmetric, and Z is 1 on the diagonal. 254 is the same, 255 unknown. Times
-are seconds. A *fit* tells which moment should look like the body now: the other moment runs along ``to`` while now runs
-along ``at``, evenly between two marks.
+are seconds.
 """
 
 from __future__ import annotations
 
-import itertools
 from collections.abc import Sequence
 from typing import Any, NamedTuple
 
@@ -22,9 +20,9 @@ from leitmotion.features import mirror_distance, posture
 from leitmotion.similarity import DoubleMetric, axis_speed, still_spans
 from leitmotion.view.arrays import array
 from leitmotion.view.cells import shrunk_likeness
+from leitmotion.view.symmetry_fit import fit
 from leitmotion.view.symmetry_words import (
     CHIEF,
-    FITS,
     LOOKED_FOR,
     TOLD,
     empty_symmetry,
@@ -98,7 +96,7 @@ def symmetry_payload(
         "speed": _speed(distances),
         "still": [[a / distances.rate, b / distances.rate] for a, b, _, _ in still_spans(distances)],
         "strikes": [float(frame / found.rate) for frame in found.strikes],
-        "lanes": _lanes(found, held, letters),
+        "lanes": _lanes(found, distances, held, letters),
     }
 
 
@@ -123,7 +121,9 @@ def _speed(distances: DoubleMetric) -> dict[str, Any]:
     return {"most": max(most, 1.0), "values": array(np.where(known, np.rint(254 * part), 255), "u1")}
 
 
-def _lanes(found: Symmetry, held: Sequence[int | None], letters: Sequence[str]) -> list[dict[str, Any]]:
+def _lanes(
+    found: Symmetry, distances: DoubleMetric, held: Sequence[int | None], letters: Sequence[str]
+) -> list[dict[str, Any]]:
     """One lane a motif that was found, those first that tell how the sides move together."""
     lanes = []
     for motif in TOLD:
@@ -142,7 +142,7 @@ def _lanes(found: Symmetry, held: Sequence[int | None], letters: Sequence[str]) 
                 "key": _key(spans, found.rate),
                 "rows": max(rows) + 1,
                 "spans": [
-                    _span(found.spans[k], found.rate, letters[k], n, len(spans))
+                    _span(found.spans[k], found.rate, distances, letters[k], n, len(spans))
                     | {"pattern": held[k], "row": row}
                     for n, (k, row) in enumerate(zip(inside, rows, strict=True))
                 ],
@@ -151,7 +151,9 @@ def _lanes(found: Symmetry, held: Sequence[int | None], letters: Sequence[str]) 
     return lanes
 
 
-def _span(span: SymmetrySpan, rate: float, letter: str, k: int, count: int) -> dict[str, Any]:
+def _span(
+    span: SymmetrySpan, rate: float, distances: DoubleMetric, letter: str, k: int, count: int
+) -> dict[str, Any]:
     sentence, picture = span_sentence(span, rate)
     return {
         "start": span.start / rate,
@@ -165,49 +167,8 @@ def _span(span: SymmetrySpan, rate: float, letter: str, k: int, count: int) -> d
         "tip": span_tip(span, rate, letter),
         "sentence": sentence,
         "picture": picture,
-        "fit": fit(span, rate),
+        "fit": fit(span, rate, distances),
     }
-
-
-def fit(span: SymmetrySpan, rate: float) -> dict[str, Any]:
-    """Say which moment should look like the body now, and whether in the mirror, while a stretch plays.
-
-    Parameters
-    ----------
-    span : SymmetrySpan
-        The stretch.
-    rate : float
-        Frames per second of it.
-
-    Returns
-    -------
-    dict
-        ``mirrored``, ``words``, ``at`` and ``to``: pieces of now, seconds, each with what belongs to it. Where every
-        moment is its own mirror image, or the form has no marks, it is now itself.
-
-    Examples
-    --------
-    >>> fit(SymmetrySpan("anti_phase", 0, 90, 0.9, cyclic=True, marks=[0, 30, 60, 90]), 30.0)["to"]
-    [[1.0, 2.0], [2.0, 3.0], [1.0, 2.0]]
-    """
-    whole = [span.start / rate, span.stop / rate]
-    marks = [float(mark / rate) for mark in span.marks]
-    ways = [list(pair) for pair in itertools.pairwise(marks)]
-    if span.partner is not None:
-        there = [moment / rate for moment in span.partner]
-        return {
-            "mirrored": span.motif.startswith("reflected"),
-            "words": FITS[span.motif],
-            "at": [whole],
-            "to": [there[::-1] if span.motif == "path_reversal" else there],
-        }
-    if span.motif in ("anti_phase", "asymmetric_cycle") and len(ways) > 1:
-        others = [*ways[1:], ways[-2]]
-    elif span.motif in ("anti_palindrome", "asymmetric_palindrome") and len(ways) > 1:
-        others = [ways[k ^ 1 if k ^ 1 < len(ways) else k - 1][::-1] for k in range(len(ways))]
-    else:
-        return {"mirrored": True, "words": "its mirror image", "at": [whole], "to": [whole]}
-    return {"mirrored": span.motif.startswith("anti"), "words": FITS[span.motif], "at": ways, "to": others}
 
 
 def _pattern_of(span: SymmetrySpan, rate: float, patterns: Patterns) -> int | None:

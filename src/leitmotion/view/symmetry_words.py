@@ -114,6 +114,7 @@ OTHERS = {
 """The rest, in the order of their lanes."""
 
 TOLD = CHIEF | OTHERS
+ITS_IMAGE = "its mirror image"
 FITS = {
     "anti_phase": "its mirror image, half a cycle later",
     "anti_palindrome": "its mirror image, backwards",
@@ -191,7 +192,7 @@ def symmetry_title(spans: Sequence[SymmetrySpan], letters: Sequence[str]) -> str
 
 
 def symmetry_lead(spans: Sequence[SymmetrySpan], letters: Sequence[str]) -> Lead:
-    """Say in one line which pattern treats the sides how, and what no pattern holds.
+    """Say in one line which pattern treats the sides how; of what no pattern of its kind tells, in how many stretches.
 
     Parameters
     ----------
@@ -212,13 +213,12 @@ def symmetry_lead(spans: Sequence[SymmetrySpan], letters: Sequence[str]) -> Lead
             pieces += (
                 ([" "] if pieces else []) + listed(ways[kind]) + [one if len(ways[kind]) == 1 else several]
             )
-        if loose[kind]:
-            also = " more" if ways[kind] else ""
+        elif loose[kind]:
             count = loose[kind]
-            told = f"{count_word(count)}{also} {'stretch' if count == 1 else 'stretches'} {elsewhere[count > 1]}."
+            told = f"{count_word(count)} {'stretch' if count == 1 else 'stretches'} {elsewhere[count > 1]}."
             pieces.append((" " if pieces else "") + told[0].upper() + told[1:])
     again = _mirrored_again(spans)
-    if again:
+    if again and not (ways["alternate"] or loose["alternate"]):
         come = "One stretch comes" if again == 1 else f"{count_word(again).capitalize()} stretches come"
         pieces.append(f"{' ' if pieces else ''}{come} again with the sides exchanged.")
     if pieces:

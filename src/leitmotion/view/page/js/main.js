@@ -38,6 +38,7 @@ function buildControls() {
   const hint = (keys, what) => make("span", "", [make("kbd", "", keys), what]);
   $("hints").append(hint("space", "play"), hint("← →", "frame"));
   if (letters.length) $("hints").append(hint(letters.length > 1 ? `${letters[0]}–${letters.at(-1)}` : letters[0], "pattern"));
+  if (motifSpans.length) $("hints").append(Object.assign(hint("N P", "motif"), { className: "of-symmetry" }));
   $("play").addEventListener("click", togglePlay);
   for (const [button, sheet] of [["help", "help-sheet"], ["save", "save-sheet"], ["more", "more-sheet"], ["stage-more", "stage-sheet"]]) {
     $(button).addEventListener("click", () => openSheet($(sheet), $(button)));

@@ -189,15 +189,18 @@ function drawCross(pen, time) {
   for (const line of shape.cross(time)) strokeLine(pen, line);
   pen.globalAlpha = 1;
   dotAt(pen, ...shape.place(time, time), true);
+  const there = mirroredMoment(time);
+  if (there === null) return;
+  dotAt(pen, ...shape.place(there, there), false);
+  ringAt(pen, ...shape.place(Math.min(time, there), Math.max(time, there)));
 }
 
 // Moment 1 is the row, solid; moment 2 the column, dashed; both meet at the cell and stand on the diagonal.
 function drawPair(pen, { one, two }) {
-  const { ink, surface } = over();
   const { shape } = field.shown;
   const [first, second] = shape.pair(one, two);
   const cell = shape.place(one, two);
-  pen.strokeStyle = ink;
+  pen.strokeStyle = over().ink;
   pen.lineWidth = 1.2;
   strokeLine(pen, first);
   pen.setLineDash([4, 3]);
@@ -205,19 +208,23 @@ function drawPair(pen, { one, two }) {
   pen.setLineDash([]);
   dotAt(pen, ...shape.place(one, one), true);
   dotAt(pen, ...shape.place(two, two), false);
-  pen.lineWidth = 4;
-  pen.strokeStyle = surface;
-  disc(pen, ...cell, 6.5);
-  pen.stroke();
-  pen.lineWidth = 1.8;
-  pen.strokeStyle = ink;
-  pen.stroke();
+  ringAt(pen, ...cell);
   if (shape !== SQUARE) {
     tagsBelow(pen, one, two);
     return;
   }
   momentTag(pen, "1", one, field.left - 10, cell[1], true);
   momentTag(pen, "2", two, cell[0], field.upper - 17, false);
+}
+
+function ringAt(pen, x, y) {
+  const { ink, surface } = over();
+  disc(pen, x, y, 6.5);
+  for (const [width, colour] of [[4, surface], [1.8, ink]]) {
+    pen.lineWidth = width;
+    pen.strokeStyle = colour;
+    pen.stroke();
+  }
 }
 
 function dotAt(pen, x, y, solid) {

@@ -16,13 +16,6 @@ const twoLikenesses = symmetry && (() => {
 const lopsidedness = symmetry && { values: decode(symmetry.lopsidedness.values), quantum: symmetry.lopsidedness.quantum };
 const axisSpeed = symmetry && { values: decode(symmetry.speed.values), most: symmetry.speed.most };
 
-// Whether a moment is more like the mirror image of another than like it.
-function isNearerMirrored(one, two) {
-  const { own, mirror, cells, rate } = twoLikenesses;
-  const [i, j] = [one, two].map((time) => clamp(Math.floor(time * rate), 0, cells - 1));
-  return i === j ? false : mirror(i, j) > own(i, j);
-}
-
 // How far the body is from its own mirror image, as the library measured it, metres of the drawing.
 function lopsidednessAt(time) {
   const byte = lopsidedness.values[frameAt(time)];
@@ -73,28 +66,55 @@ const compareSides = (() => {
   };
 })();
 
+// Whether a moment is nearer to the mirror image of another than to it. Asked many times a frame, of one pair.
+const isNearerMirrored = (() => {
+  const last = { one: NaN, two: NaN, nearer: false };
+  return (one, two) => {
+    if (one !== last.one || two !== last.two) {
+      const [own, mirror] = [false, true].map((mirrored) => compareSides(one, two, mirrored).distance);
+      Object.assign(last, { one, two, nearer: mirror < own });
+    }
+    return last.nearer;
+  };
+})();
+
 const comparePair = (pair) => (state.view === "symmetry" ? compareSides(pair.one, pair.two, pair.mirrored) : compare(pair.one, pair.two));
 const sidesNumber = (distance) => (distance * symmetry.told.factor).toFixed(1);
 const sidesWord = (distance) => `${sidesNumber(distance)} ${symmetry.told.unit}`;
 
-// The stretch that tells about a moment: the chosen one, else the first that holds it, in the order of the lanes.
+// The stretch that tells about a moment: the chosen one, else the surest that holds it and tells how the sides move.
 function spanAt(time) {
   const holds = (span) => (time >= span.start && time < span.stop) || (span.partner && time >= span.partner[0] && time < span.partner[1]);
   if (state.span !== null && holds(motifSpans[state.span])) return motifSpans[state.span];
-  return motifSpans.find((span) => symmetry.lanes[span.lane].chief && holds(span)) ?? motifSpans.find((span) => holds(span) && !span.partner) ?? null;
+  const held = motifSpans.filter((span) => !span.partner && holds(span));
+  const chief = held.filter((span) => symmetry.lanes[span.lane].chief);
+  return (chief.length ? chief : held).reduce((best, span) => (best && best.confidence >= span.confidence ? best : span), null);
+}
+
+// The stretch that plays: the chosen one, or the surest of the chosen pattern.
+function spanInPlay(time) {
+  if (state.span !== null) return motifSpans[state.span];
+  const span = state.pattern === null ? null : spanAt(time);
+  return span && span.pattern === state.pattern && symmetry.lanes[span.lane].chief ? span : null;
+}
+
+// The other moment that is laid under the figure while a stretch plays; null where it is now itself.
+function mirroredMoment(time) {
+  if (state.view !== "symmetry" || !state.ghost || !spanInPlay(time)) return null;
+  const { time: there } = mirrorMoment(time);
+  return Math.abs(there - time) > 1e-3 ? there : null;
 }
 
 // What is laid under the figure in this view: now in the mirror, in a chosen stretch what its motif says is like it.
 function mirrorMoment(time) {
-  const span = state.span === null ? null : motifSpans[state.span];
-  const piece = span ? span.fit.at.findIndex(([a, b]) => time >= a && time <= b) : -1;
-  if (piece < 0) return { time, mirrored: true, words: "its mirror image" };
-  const [[a, b], [c, d]] = [span.fit.at[piece], span.fit.to[piece]];
-  const there = c + ((time - a) / Math.max(b - a, 1e-6)) * (d - c);
+  const span = spanInPlay(time);
+  const way = span ? span.fit.at.findIndex((at) => time >= at[0] && time <= at.at(-1)) : -1;
+  if (way < 0) return { time, mirrored: true, words: "its mirror image" };
+  const [at, to] = [span.fit.at[way], span.fit.to[way]];
+  const k = Math.max(at.findIndex((moment) => moment >= time), 1);
+  const there = to[k - 1] + ((time - at[k - 1]) / Math.max(at[k] - at[k - 1], 1e-6)) * (to[k] - to[k - 1]);
   return { time: clamp(there, 0, clip.last), mirrored: span.fit.mirrored, words: span.fit.words };
 }
-
-const itOf = (span) => (span.pattern === null ? "This movement" : `Pattern ${patterns[span.pattern].id}`);
 
 function mirrorSentence(pair) {
   const { distance } = comparePair(pair);

@@ -19,15 +19,15 @@ const curves = [
 const flights = payload.curves?.flights ?? [];
 
 // What is told at the drawn frames.
-function drawnCurve({ values, missing, scale, ...rest }) {
+function drawnCurve({ values, missing, scale, from_zero: fromZero = true, ...rest }) {
   const at = (k) => (values[k] === missing ? NaN : values[k] * scale);
-  let [low, high] = [0, 0];
+  let [low, high] = fromZero ? [0, 0] : [Infinity, -Infinity];
   for (let k = 0; k < values.length; k++) {
     const value = at(k);
     if (value > high) high = value;
     if (value < low) low = value;
   }
-  return { range: [low, high || 1], now: (time) => at(frameAt(time)), values: () => ({ count: values.length, at, time: (k) => k / clip.rate }), ...rest };
+  return { range: high > low ? [low, high] : [0, 1], now: (time) => at(frameAt(time)), values: () => ({ count: values.length, at, time: (k) => k / clip.rate }), ...rest };
 }
 
 if (symmetry) {

@@ -50,7 +50,7 @@ function addMotifs() {
       views: ["symmetry"],
       element: make("div", "row more-row no-print", more),
       change() {
-        const names = rest.map((lane) => lane.name[0].toLowerCase() + lane.name.slice(1)).join(" · ");
+        const names = rest.map((lane) => lowerFirst(lane.name)).join(" · ");
         more.textContent = state.more ? "Show fewer lanes" : `${rest.length} more: ${names}`;
         more.setAttribute("aria-expanded", state.more);
       },

@@ -41,7 +41,7 @@ on("change", () => timeRows.forEach((row) => isRowShown(row) && row.change?.()))
 on("frame", () => {
   const pair = pairOnShow();
   // Tags of two near moments stand side by side.
-  const two = pair ? pair.two : otherMoment(state.time);
+  const two = pair ? pair.two : otherMoment(state.time) ?? mirroredMoment(state.time);
   const near = two === null ? Infinity : placeOf(two) - placeOf(shownTime());
   const push = (Math.max(0, TAG_WIDTH - Math.abs(near)) / 2) * (near < 0 ? -1 : 1);
   moveLine(0, shownTime(), two === null ? "" : "1 ", -push);

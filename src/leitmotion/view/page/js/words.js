@@ -50,6 +50,8 @@ function chip(p, tag = "span") {
   return made;
 }
 
+const lowerFirst = (text) => text[0].toLowerCase() + text.slice(1);
+
 // An element with class, children (text or elements) and attributes.
 function make(tag, className, children = [], attributes = {}) {
   const made = document.createElement(tag);
