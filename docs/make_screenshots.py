@@ -1,4 +1,4 @@
-"""Take a picture of every view of the page, from real recordings: ``python docs/make_screenshots.py [VIEW...]``.
+"""Take a picture of every view of the page, and draw motion graphs: ``python docs/make_screenshots.py [VIEW...]``.
 
 Needs the folder of recordings (``LEITMOTION_DATA``) and a Chromium (``CHROMIUM``, or its usual names on PATH). The
 pictures lie in ``screenshots/``; ``page.md`` shows them. Keep them beside an older set before a change of the page.
@@ -16,12 +16,16 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 import leitmotion as lm
+from leitmotion.datasets import compose_motif
 from leitmotion.io import read_annotations
+from leitmotion.view import plot_graph
 
 SCREENSHOTS = Path(__file__).resolve().parent / "screenshots"
 BROWSERS = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable")
 WALK, LIE = "cmu86/86_01.amc", "hdm05/lieDownFloor/*.amc"
 SEVERAL = "mocap6/13_*.amc"
+KICKS = "side kicks"
+GRAPHS = ("side kicks", "sun salutation")
 PAPER = 688
 DENSITY = 1.5
 
@@ -75,6 +79,7 @@ VIEWS = (
     View("pattern-chosen", address="t=35.4&pattern=B"),
     View("lesson", address="pattern=B&take=2&t=17.3"),
     View("shared", recording=SEVERAL, address="pattern=D&take=1&beside=1&t=42.1"),
+    View("graph", recording=KICKS, address="view=graph&item=aa&visit=2&camera=front&t=3.2"),
     View("empty", recording=LIE, address="t=2.2"),
     View("tablet", width=900, height=1300, whole=True),
     View("tablet-pair", width=900, height=1000, address="t=19.3&u=36.3"),
@@ -94,6 +99,7 @@ def main() -> int:
         print("A Chromium must be on PATH or named by CHROMIUM.", file=sys.stderr)
         return 1
     SCREENSHOTS.mkdir(exist_ok=True)
+    draw_graphs()
     with tempfile.TemporaryDirectory() as folder:
         pages = {}
         for recording in (WALK, LIE):
@@ -105,9 +111,26 @@ def main() -> int:
             target = Path(folder) / f"{path.stem}.html"
             pages[recording] = lm.report(lm.read(path), target, labels=labels, labels_from=name)
         several = [lm.read(path) for path in sorted(data.glob(SEVERAL))]
+        pages[KICKS] = lm.report(compose_motif(KICKS, seed=1, rate=60.0).motion, Path(folder) / "kicks.html")
         pages[SEVERAL] = lm.report_shared(several, Path(folder) / "shared.html")
         take(browser, pages)
     return 0
+
+
+def draw_graphs() -> None:
+    """Draw the graphs of composed motions."""
+    from PIL import Image
+
+    for name in GRAPHS:
+        path = SCREENSHOTS / f"graph-{name.replace(' ', '-')}.webp"
+        if sys.argv[1:] and path.stem not in sys.argv[1:]:
+            continue
+        motion = compose_motif(name, rate=60.0, variation=None).motion
+        picture = BytesIO()
+        plot_graph(lm.motion_graph(motion), motion).savefig(picture, format="png")
+        with Image.open(picture) as drawn:
+            drawn.convert("RGB").save(path, quality=90, method=6)
+        print(path.relative_to(Path.cwd()) if path.is_relative_to(Path.cwd()) else path)
 
 
 def take(browser: str, pages: dict[str, Path]) -> None:

@@ -193,7 +193,9 @@ def _write(
         return told
     from leitmotion.view import plot_graph
 
-    return write_figure(path, plot_graph(found, [one.recording for _, one in gathered.opened]))
+    opened = [one for _, one in gathered.opened]
+    figure = plot_graph(found, [one.recording for one in opened], body_maps=[one.roles for one in opened])
+    return write_figure(path, figure)
 
 
 def _rows(document: Document) -> Iterator[Mapping[str, object]]:

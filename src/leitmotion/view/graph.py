@@ -12,15 +12,15 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
-from leitmotion.body import Body, embody
+from leitmotion.body import Body, BodyMap, embody
 from leitmotion.discovery import MotionGraph, Path, State
-from leitmotion.features import kinematic_chain
+from leitmotion.features import FeatureSequence, kinematic_chain
 from leitmotion.motion import Motion, ParameterError, Trajectories
 from leitmotion.view.graph_drawing import POSTURES, draw_cell, draw_graph, gather
 from leitmotion.view.graph_layout import lay_out
 from leitmotion.view.graph_moments import posture_of, time_of
 from leitmotion.view.graph_names import arrow_of, in_math, in_rows
-from leitmotion.view.graph_plan import CELL, EDGE, plan_picture
+from leitmotion.view.graph_plan import EDGE, plan_picture
 from leitmotion.view.palette import theme_named
 from leitmotion.view.plots import BODY, new_figure
 from leitmotion.view.subspaces import plot_subspaces
@@ -36,6 +36,7 @@ def plot_graph(
     graph: MotionGraph,
     recordings: Sequence[Motion | Trajectories | Body] | Motion | Trajectories | Body,
     *,
+    body_maps: Sequence[BodyMap | None] | None = None,
     subspaces: bool = True,
     postures: bool = True,
     theme: str = "light",
@@ -49,6 +50,9 @@ def plot_graph(
         States and paths.
     recordings : sequence of Motion, Trajectories or Body, or one of these
         What the graph is of, in the order of its recordings, at their own rates.
+    body_maps : sequence of BodyMap or None, optional
+        Which joints or points of each recording stand for which role; by default what
+        :func:`leitmotion.body.find_roles` finds.
     subspaces : bool
         Whether the symmetric and antisymmetric subspaces stand beside it.
     postures : bool
@@ -84,10 +88,14 @@ def plot_graph(
     """
     colours = theme_named(theme)
     given = [recordings] if isinstance(recordings, Motion | Trajectories | Body) else list(recordings)
+    maps = [None] * len(given) if body_maps is None else list(body_maps)
     _check(graph, given)
     layout = lay_out(graph)
-    bodies = [each if isinstance(each, Body) else embody(each) for each in given]
-    chains = [kinematic_chain(each) for each in given]
+    bodies = [
+        each if isinstance(each, Body) else embody(each, roles)
+        for each, roles in zip(given, maps, strict=True)
+    ]
+    chains = _chains(given, maps)
     pictured = {state.name: posture_of(state, graph, chains) for state in graph.states}
     shown = {path.name: time_of(path, graph) for path in graph.paths}
     standing = gather(bodies, [moment for moment in pictured.values() if moment])
@@ -111,10 +119,24 @@ def plot_graph(
     if postures:
         for path, place in zip(graph.paths, plan.cells, strict=True):
             time = shown[path.name]
-            draw_cell(
-                figure.add_axes(place), path, time.moments(POSTURES) if time else [], moving, CELL, colours
-            )
+            moments = time.moments(POSTURES) if time else []
+            size = (plan.sizes.wide, plan.sizes.high)
+            draw_cell(figure.add_axes(place), path, moments, moving, size, colours)
     return figure
+
+
+def _chains(
+    given: Sequence[Motion | Trajectories | Body], maps: Sequence[BodyMap | None]
+) -> list[FeatureSequence]:
+    """Describe all recordings by the links that they have in common."""
+    chains = [kinematic_chain(each, roles) for each, roles in zip(given, maps, strict=True)]
+    common = (
+        [link for link in chains[0].names if all(link in chain.names for chain in chains)] if chains else []
+    )
+    return [
+        chain if len(chain.names) == len(common) else kinematic_chain(each, roles, links=common)
+        for each, roles, chain in zip(given, maps, chains, strict=True)
+    ]
 
 
 def _check(graph: MotionGraph, given: Sequence[Motion | Trajectories | Body]) -> None:

@@ -22,6 +22,7 @@ if TYPE_CHECKING:
 
 POSTURES, LIGHTEST = 7, 0.82  # of a path; how far the last one is mixed into the surface
 NAME = 0.3  # of a card's height, in cards' widths, for its name
+EVERY = 4  # points of an outline, of which one is drawn
 ROOM = 0.9  # of a card's width for its posture
 SMALLEST = 6.0  # points
 FOOT = 0.26  # inches of a cell for its name
@@ -35,13 +36,20 @@ class Cast(NamedTuple):
     half: float
     """How far the widest posture reaches from its middle, metres."""
 
+    reach: float
+    """How far the farthest point is from the pelvis, sideways, metres."""
+
     low: float
     high: float
     """Lowest and highest point of all, metres."""
 
     def shapes(self, moment: Moment) -> list[Shape]:
-        """Outline a posture."""
-        return figure_shapes(self.bodies[moment.recording], moment.frame, mirrored=moment.mirrored)
+        """Outline a posture, as finely as is seen at its size."""
+        shapes = figure_shapes(self.bodies[moment.recording], moment.frame, mirrored=moment.mirrored)
+        return [
+            shape._replace(outline=shape.outline[::EVERY]) if len(shape.outline) > 4 * EVERY else shape
+            for shape in shapes
+        ]
 
 
 def gather(bodies: list[Body], shown: Sequence[Moment]) -> Cast:
@@ -59,7 +67,7 @@ def gather(bodies: list[Body], shown: Sequence[Moment]) -> Cast:
     Cast
         Who is drawn.
     """
-    cast = Cast(bodies, 0.5, 0.0, 1.0)
+    cast = Cast(bodies, 0.5, 0.5, 0.0, 1.0)
     corners = [
         np.concatenate([shape.outline for shape in shapes])
         for shapes in (cast.shapes(moment) for moment in shown)
@@ -69,7 +77,8 @@ def gather(bodies: list[Body], shown: Sequence[Moment]) -> Cast:
         return cast
     half = max(float(np.ptp(each[:, 0])) / 2 for each in corners)
     low, high = (float(end([end(each[:, 1]) for each in corners])) for end in (np.min, np.max))
-    return Cast(bodies, half + 0.05, low - 0.02, high + 0.02)
+    reach = max(float(np.abs(each[:, 0]).max()) for each in corners)
+    return Cast(bodies, half + 0.05, reach + 0.03, low - 0.02, high + 0.02)
 
 
 def draw_graph(
@@ -193,7 +202,7 @@ def draw_cell(
         Of which theme.
     """
     wide, high = size[0], size[1] - FOOT
-    scale = min(0.94 * wide / 2 / cast.half, high / (cast.high - cast.low))  # inches a metre
+    scale = min(wide / 2 / cast.reach, high / (cast.high - cast.low))  # inches a metre
     axes.set(xlim=(-wide / 2, wide / 2), ylim=(-FOOT, high))
     axes.axis("off")
     for k, moment in reversed(list(enumerate(moments))):

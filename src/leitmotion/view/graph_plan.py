@@ -11,16 +11,31 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import NamedTuple
 
-LARGEST, LEAST, HIGHEST = (
-    0.78,
-    0.45,
-    6.6,
-)  # inches: width of a state, height of a graph that is not larger than least
+LARGEST, LEAST = 0.78, 0.45  # inches that a state is wide
+HIGHEST = 6.6  # inches of a graph, unless its states would be smaller than the least
 NARROW = 0.45  # share of the width that a graph takes beside which all else stands
-PLOT, TITLE, CELL = 1.75, 0.2, (1.02, 1.3)  # a subspace and its title, the cell of a path
-GAP, EDGE = 0.22, 0.1
+GAP, EDGE, TITLE = 0.22, 0.1, 0.2
+LARGER = (1.7, 1.5, 1.3, 1.15)  # times the usual that plots and cells may be beside a tall graph
 
 Box = tuple[float, float, float, float]
+
+
+class Sizes(NamedTuple):
+    """Inches of what stands beside a graph."""
+
+    plot: float = 1.75
+    """Width and height of a subspace."""
+    wide: float = 1.02
+    high: float = 1.3
+    """Of the cell of a path."""
+
+    def times(self, factor: float) -> Sizes:
+        """Enlarge all."""
+        return Sizes(*(factor * length for length in self))
+
+    def across(self, room: float) -> int:
+        """How many cells stand side by side."""
+        return max(0, int(room / self.wide + 0.02))
 
 
 class Plan(NamedTuple):
@@ -30,6 +45,7 @@ class Plan(NamedTuple):
     """Of the figure, inches."""
     unit: float
     """Inches that a state is wide."""
+    sizes: Sizes
     graph: Box
     plots: list[Box]
     cells: list[Box]
@@ -59,50 +75,64 @@ def plan_picture(box: Box, width: float, *, head: float, subspaces: bool, cells:
     unit = min(LARGEST, (width - 2 * EDGE) / wide, max(LEAST, HIGHEST / high))
     wide, high = wide * unit, high * unit
     y = EDGE + head + GAP
-    narrow = wide <= NARROW * width
-    if narrow or not (subspaces or cells):
-        graph = (EDGE, y + max(0.0, TITLE + PLOT - high) / 2 * subspaces, wide, high)
-    else:
+    if wide > NARROW * width:
         graph = ((width - wide) / 2, y, wide, high)
-    x, below = (EDGE + wide + GAP, y) if narrow else (EDGE, y + high + GAP)
-    plots = [(x + k * (PLOT + GAP), below + TITLE, PLOT, PLOT) for k in range(2)] if subspaces else []
-    placed = _cells(cells, _zones(width, graph, plots, narrow, (x, below), cells))
-    height = max(part[1] + part[3] for part in (graph, *plots, *placed)) + EDGE
+        plots, placed = _fill(width, graph, (EDGE, y + high + GAP), Sizes(), subspaces, cells)
+        return _plan(width, unit, Sizes(), graph, plots, placed)
+    graph = (EDGE, y, wide, high)
+    for sizes in (*(Sizes().times(factor) for factor in LARGER), Sizes()):
+        plots, placed = _fill(width, graph, (EDGE + wide + GAP, y), sizes, subspaces, cells)
+        parts = [*plots, *placed]
+        if all(x + w <= width and y + h <= graph[1] + high + EDGE for x, y, w, h in parts):
+            break
+    beside = max((part[1] + part[3] for part in plots), default=0.0)
+    graph = (EDGE, y + max(0.0, beside - y - high) / 2, wide, high)
+    return _plan(width, unit, sizes, graph, plots, placed)
+
+
+def _plan(width: float, unit: float, sizes: Sizes, graph: Box, plots: list[Box], cells: list[Box]) -> Plan:
+    height = max(part[1] + part[3] for part in (graph, *plots, *cells)) + EDGE
 
     def share(part: Box) -> Box:
         x, y, wide, high = part
         return x / width, 1 - (y + high) / height, wide / width, high / height
 
-    return Plan(height, unit, share(graph), [share(part) for part in plots], [share(part) for part in placed])
+    return Plan(
+        height, unit, sizes, share(graph), [share(part) for part in plots], [share(part) for part in cells]
+    )
+
+
+def _fill(
+    width: float, graph: Box, corner: tuple[float, float], sizes: Sizes, subspaces: bool, cells: int
+) -> tuple[list[Box], list[Box]]:
+    """Place the subspaces and then the cells."""
+    x, y = corner
+    plots = [
+        (x + k * (sizes.plot + GAP), y + TITLE, sizes.plot, sizes.plot) for k in range(2 if subspaces else 0)
+    ]
+    placed: list[Box] = []
+    for left, top, wide, high in _zones(width, graph, plots, corner, sizes, cells):
+        across, down = sizes.across(wide), max(0, int(high / sizes.high + 1e-6))
+        for k in range(min(across * down, cells - len(placed))):
+            place = left + k % across * sizes.wide, top + k // across * sizes.high
+            placed.append((*place, sizes.wide, sizes.high))
+    return plots, placed
 
 
 def _zones(
-    width: float, graph: Box, plots: list[Box], narrow: bool, corner: tuple[float, float], cells: int
+    width: float, graph: Box, plots: list[Box], corner: tuple[float, float], sizes: Sizes, cells: int
 ) -> Iterator[Box]:
     """Give what is free, in reading order: beside the subspaces, beneath them beside the graph, beneath all."""
-    x, y = corner
-    bottom = y
+    x, bottom = corner
+    end = graph[1] + graph[3] + GAP
+    narrow = x > graph[0]
     if plots:
-        after = plots[-1][0] + PLOT + GAP
-        across = _fitting(width - EDGE - after)
+        after = plots[-1][0] + sizes.plot + GAP
+        across = sizes.across(width - EDGE - after)
         rows = 1 if narrow or cells <= across else 2
-        yield after, y, width - EDGE - after, rows * CELL[1]
-        bottom = y + max(TITLE + PLOT + GAP, (rows * CELL[1] if cells and across else 0.0))
+        yield after, bottom, width - EDGE - after, rows * sizes.high
+        bottom += max(TITLE + sizes.plot + GAP, rows * sizes.high if cells and across else 0.0)
     if narrow:
-        yield x, bottom, width - EDGE - x, graph[1] + graph[3] + GAP - bottom
-        bottom = max(bottom, graph[1] + graph[3] + GAP)
+        yield x, bottom, width - EDGE - x, end - bottom
+        bottom = max(bottom, end)
     yield EDGE, bottom, width - 2 * EDGE, 1e9
-
-
-def _cells(count: int, zones: Iterator[Box]) -> list[Box]:
-    """Fill zones row by row."""
-    placed: list[Box] = []
-    for x, y, wide, high in zones:
-        across, down = _fitting(wide), max(0, int(high / CELL[1] + 1e-6))
-        for k in range(min(across * down, count - len(placed))):
-            placed.append((x + k % across * CELL[0], y + k // across * CELL[1], *CELL))
-    return placed
-
-
-def _fitting(room: float) -> int:
-    return max(0, int(room / CELL[0] + 0.02))

@@ -4,7 +4,8 @@ Conventions
 -----------
 Each plot shows the first two principal axes of one part of the postures. Both have one scale, in units of the chain's
 quaternions, and the origin of the antisymmetric part is where a posture is its own mirror image; so a symmetric path
-stays at its origin. Lines lighten as time goes on, what only reflection made is dotted.
+stays at its origin. In the picture of a graph it is the mean of the symmetric states, where there are any, as a suit
+that sits askew is no asymmetry of the movement. Lines lighten as time goes on, what only reflection made is dotted.
 """
 
 from __future__ import annotations
@@ -25,6 +26,7 @@ from leitmotion.view.plots import SMALL, halo, style_axes
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
+SMOOTH_S = 0.2  # over which the ways are averaged
 MOST = 12  # times of one path that are drawn
 LIGHTEST = 0.72  # how far the end of a path is mixed into the surface
 WORDS = ("symmetric part", "antisymmetric part")
@@ -93,7 +95,11 @@ def plot_subspaces(
     colours : Theme
         Of which theme.
     """
-    planes = find_subspaces(chains)
+    planes = [
+        [_smoothed(line, chain.rate) for line, chain in zip(plane, chains, strict=True)]
+        for plane in find_subspaces(chains)
+    ]
+    planes[1] = [line - _origin(graph, k, line) for k, line in enumerate(planes[1])]
     lines = [_lines(graph, plane, hand) for plane, hand in zip(planes, (1.0, -1.0), strict=True)]
     marks = [_marks(graph, plane, hand, chains) for plane, hand in zip(planes, (1.0, -1.0), strict=True)]
     told = [
@@ -122,6 +128,22 @@ def plot_subspaces(
         for line, reflected in some:
             _draw_line(plot, line, reflected, colours)
         _name(plot, graph, where, 0.16 * reach, colours)
+
+
+def _smoothed(line: np.ndarray, rate: float) -> np.ndarray:
+    """Average over :data:`SMOOTH_S`, so that noise does not hide the way."""
+    window = np.hanning(max(1, round(SMOOTH_S * rate)) + 2)[1:-1]
+    ends = len(window) // 2, len(window) - 1 - len(window) // 2
+    padded = np.pad(line, (ends, (0, 0)), mode="edge")
+    return np.stack([np.convolve(column, window / window.sum(), mode="valid") for column in padded.T], axis=1)
+
+
+def _origin(graph: MotionGraph, recording: int, line: np.ndarray) -> np.ndarray:
+    """Where a recording's symmetric states lie in the antisymmetric subspace: 0 where it visits none."""
+    visits = [visit for state in graph.states if state.symmetric for visit in state.visits]
+    middles = [(visit.start + visit.stop - 1) // 2 for visit in visits if visit.recording == recording]
+    seen = line[middles][np.isfinite(line[middles]).all(axis=1)]
+    return np.asarray(seen.mean(axis=0)) if len(seen) else np.zeros(2)
 
 
 def _lines(graph: MotionGraph, plane: Sequence[np.ndarray], hand: float) -> list[tuple[np.ndarray, bool]]:

@@ -3,6 +3,7 @@
 
 const graphField = { box: null, nodes: [], edges: [], scale: 1 };
 const NAME_ROOM = 18; // pixels of a card for its name
+const COMPACT = 56;
 const HEAD_LENGTH = 7;
 
 function buildGraphField() {
@@ -52,12 +53,15 @@ function layGraph() {
   graphField.scale = scale;
   lines.setAttribute("viewBox", `0 0 ${width} ${height}`);
   graphField.axis.setAttribute("d", left < 0 && right > 0 ? `M${x(0)} ${y(top)} ${x(0)} ${y(bottom)}` : "");
+  // On a small card the name stands in the corner, so that the figure has its height.
+  const compact = scale < COMPACT;
+  box.classList.toggle("compact", compact);
   const name = clamp(scale * 0.2, 11.5, 15);
   box.style.setProperty("--name", name + "px");
   const [wide, high] = graph.card.map((length) => length * scale);
   for (const { item, figure, button } of graphField.nodes) {
     Object.assign(button.style, { left: x(item.at[0]) - wide / 2 + "px", top: y(item.at[1]) - high / 2 + "px", width: wide + "px", height: high + "px" });
-    const room = Math.max(high - NAME_ROOM - 4, 10);
+    const room = Math.max(high - (compact ? 0 : NAME_ROOM) - 4, 10);
     const pen = sized(figure, wide - 6, room);
     if (item.key !== null) drawSmall(pen, item.key, { x: (wide - 6) / 2, base: room - 2, height: room - 4, width: wide - 10, row: true, mirrored: item.mirrored });
   }
