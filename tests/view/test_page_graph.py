@@ -137,6 +137,7 @@ def test_a_click_plays_all_times_over_one_another(open_page: Open, kicks_page: P
     wanted = [(v.start + part * (v.stop - v.start)) / 30 for v in visits[1:]]
     assert [each["time"] for each in told] == pytest.approx(wanted, abs=1e-3)
     assert not any(each["mirrored"] for each in told)
+    assert page.evaluate("leitmotion.overlaid(0)") == []  # out of the time that plays
     page.locator(".time").nth(2).click()
     assert state(page)["visit"] == 2
     page.keyboard.press("Escape")
@@ -159,6 +160,7 @@ def test_a_reflected_way_plays_mirrored(open_page: Open, kicks_page: Path) -> No
     page = open_page(kicks_page, "view=graph&images=1&item=(aa)*", reduced_motion="reduce")
     assert state(page)["item"] == "(aa)*"
     assert page.locator("#looping").inner_text() == "Looping (aa)*, 1 of 3, mirrored"
+    assert page.locator("#mirror-note").inner_text() == "mirrored"
     mirrored = pixels(page)
     page.evaluate("location.hash = location.hash.replace('(aa)*', 'aa').replace('%28aa%29*', 'aa')")
     assert state(page)["item"] == "aa"

@@ -5,7 +5,7 @@ const graphItems = graph ? [...graph.states.map((item) => ({ ...item, kind: "sta
 const itemNamed = (name) => graphItems.find((item) => item.name === name) ?? null;
 // What only reflection made was never performed.
 const isReflected = (item) => !item.visits.length;
-const isRacemized = graphItems.some(isReflected);
+const hasImages = graphItems.some((item) => item.mirror);
 const isItemShown = (item) => state.images || !isReflected(item);
 const itemsShown = () => graphItems.filter(isItemShown);
 const MOST_OVERLAID = 8;
@@ -39,7 +39,7 @@ const momentAlong = (visit, part) => clamp(visit.start + (visit.back ? 1 - part 
 // The moments that are laid under the figure: of the other times those that belong to now, evenly chosen among many.
 function overlaidOn(time) {
   const now = itemNow();
-  if (!now || !state.ghost) return [];
+  if (!now || !state.ghost || time < now.lead.start - 1e-6 || time > now.lead.start + leastLong(now.lead) + 1e-6) return [];
   const part = alongOf(now.lead, time);
   const others = now.times.filter((visit) => visit !== now.lead);
   const count = Math.min(others.length, MOST_OVERLAID);

@@ -121,5 +121,11 @@ on("change", () => {
 });
 
 on("frame", () => {
-  if (isGraphShown()) markGraph();
+  if (!isGraphShown()) return;
+  markGraph();
+  const mirrored = overlaidOn(shownTime()).some((moment) => moment.mirrored);
+  $("mirror-note").hidden = !mirrored;
+  if (!mirrored) return;
+  $("mirror-words").textContent = "mirrored";
+  $("mirror-note").firstChild.style.setProperty("--c", "var(--mirror)");
 });

@@ -15,7 +15,7 @@ function buildGraphList() {
   graphList.element.append(
     make("div", "graph-head", [make("h2", "", "Play a posture or a way", { id: "graph-title" }), make("p", "", "All its times lie over one another, in step; the solid one is at its place in time.")]),
     make("div", "graph-items", [make("h3", "", "Postures"), list("state"), make("h3", "", "Ways"), list("path")]),
-    ...(isRacemized ? [make("div", "graph-bar", graphList.images)] : []),
+    ...(hasImages ? [make("div", "graph-bar", graphList.images)] : []),
   );
   graphList.element.setAttribute("aria-labelledby", "graph-title");
 }
@@ -77,7 +77,7 @@ function refillTimes(item, list) {
 }
 
 const GRAPH_LESSONS = [
-  ["On the line: the same on both sides. Left and right of it: mirror images", '<path class="axis" d="M41 4V78"/><rect x="33" y="8" width="16" height="22" rx="3"/><rect x="8" y="50" width="16" height="22" rx="3"/><rect x="58" y="50" width="16" height="22" rx="3"/>'],
+  ["On the line: its own mirror image. Beside it: each other’s", '<path class="axis" d="M41 4V78"/><rect x="33" y="8" width="16" height="22" rx="3"/><rect x="8" y="50" width="16" height="22" rx="3"/><rect x="58" y="50" width="16" height="22" rx="3"/>'],
   ["Two heads: gone there and back the same way", '<path d="M14 41H68"/><path class="head" d="M8 41 18 36V46ZM74 41 64 36V46Z"/>'],
   ["Dotted: a mirror image that nobody performed", '<path class="dotted" d="M10 60Q41 8 66 52"/><path class="head" d="M70 60 61 53 70 48Z"/>'],
 ];

@@ -18,7 +18,7 @@ addEventListener("keydown", (event) => {
   else if (letter === "M" && !several) showView(state.view === "symmetry" ? "repeats" : "symmetry");
   else if (letter === "G" && graph) showView(state.view === "graph" ? "repeats" : "graph");
   else if (state.view === "graph" && (letter === "N" || letter === "P")) stepItem(letter === "N" ? 1 : -1);
-  else if (state.view === "graph" && letter === "I" && isRacemized) toggleImages();
+  else if (state.view === "graph" && letter === "I" && hasImages) toggleImages();
   else if (state.view === "graph" && stateOfKey(letter, event.shiftKey)) chooseItem(stateOfKey(letter, event.shiftKey).name);
   else if ((letter === "N" || letter === "P") && state.view === "symmetry") stepSpan(letter === "N" ? 1 : -1);
   else if (state.view !== "repeats" && letter && "LR".includes(letter)) return;

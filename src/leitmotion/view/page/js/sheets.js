@@ -44,7 +44,7 @@ const KEYS = () => [
   ["space", "play or pause"], ["← →", "one frame"], ["shift ← →", "one second"], ["A–H", "choose a pattern"],
   ...(several ? [] : [["M", "repeats or symmetry"]]),
   ["L", several ? "the movements, or most like now" : "the lesson"], ["N P", symmetry ? "in it, in symmetry and in the graph: next, previous" : "in it: next, previous"],
-  ...(graph ? [["G", "repeats or graph"], ["A–Z", "in the graph: choose a posture, with shift its mirror image"], ...(isRacemized ? [["I", "in it: with mirror images"]] : [])] : []),
+  ...(graph ? [["G", "repeats or graph"], ["A–Z", "in the graph: choose a posture, with shift its mirror image"], ...(hasImages ? [["I", "in it: with mirror images"]] : [])] : []),
   ...(several ? [["shift N P", "compare with the next, the previous"], ["S", "side by side or overlaid"], ["T", "in step, or each at its own pace"]] : []),
   ["R", "in it: loop this one"],
   ["Esc", "clear the choice or the pair"], ["[ ]", "slower, faster"], ["1 2 3 4", "camera"],

@@ -62,7 +62,7 @@ function drawGhost(pen, camera, ghost, pair, count = 1) {
   const layer = sized(ghostLayer, stage.width, stage.height);
   const colour = ghost.mirrored ? theme.tokens.mirror : (ghost.pattern ?? null) === null ? theme.tokens.ink2 : patternColour(ghost.pattern);
   drawFigure(layer, placed, camera, { colour });
-  pen.globalAlpha = pair || state.span !== null ? 0.62 : Math.max(0.34 / Math.sqrt(count), 0.16);
+  pen.globalAlpha = pair || state.span !== null ? 0.62 : Math.max(0.45 / Math.sqrt(count + 0.75), 0.18);
   pen.drawImage(ghostLayer, 0, 0, stage.width, stage.height);
   pen.globalAlpha = 1;
 }
