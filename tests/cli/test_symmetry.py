@@ -57,7 +57,9 @@ def test_the_document_says_what_the_library_says(run: Run, made: Path) -> None:
         assert told_span["partner"] is None or told_span["partner"]["start"] == span.partner[0]
     assert result["notation"] == notation(lm.motion_graph(motion, bias="mean"))
     assert result["bias"]["pose"] == document["parameters"]["bias"] == "mean"
-    assert result["shares"]["symmetric_palindrome"] > 0.5
+    assert result["shares"]["symmetric_palindrome"] > max(
+        share for motif, share in result["shares"].items() if motif.startswith(("a", "ref"))
+    )
     assert set(result["shares"]) == set(MOTIFS)
 
 

@@ -193,8 +193,8 @@ def _write(
         return told
     from leitmotion.view import plot_graph
 
-    opened = [one for _, one in gathered.opened]
-    figure = plot_graph(found, [one.recording for one in opened], body_maps=[one.roles for one in opened])
+    shown = [one for _, one in gathered.opened]
+    figure = plot_graph(found, [one.recording for one in shown], body_maps=[one.roles for one in shown])
     return write_figure(path, figure)
 
 

@@ -67,12 +67,11 @@ def write_page(
     from leitmotion.api import report
 
     progress.say(f"Writing {page.name}")
-    recording, roles = opened.compared_by(options.features)
     told = will_be_written(page)
     report(
-        recording,
+        opened.recording,  # with its rotations, which tell symmetry what places do not
         page,
-        body_map=roles,
+        body_map=opened.roles,
         labels=labels,
         labels_from=labels_from,
         patterns=found,
