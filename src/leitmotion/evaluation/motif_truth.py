@@ -25,6 +25,7 @@ ALIGNED = 0.35  # steps by which two stretches that are told to correspond may b
 NEAR_STATE = 0.35  # share of a step that may pass for the state at its end
 ROUNDS = 1.75  # a run repeats itself that lasts so many times its period
 ALL = 0.9  # share of a stretch that counts as all of it
+SAMPLES = 200  # places at which a stretch is looked at
 Stretch = tuple[int, int]
 
 
@@ -84,10 +85,16 @@ class Course(NamedTuple):
         return np.asarray(which + eased)
 
     def moving(self, stretch: Stretch) -> np.ndarray:
-        """Tell the places of those frames of a stretch in which the body moves, of one at least."""
-        places = self.place(np.arange(*stretch) + 0.5)
-        moving = places[(places > 0) & (places < len(self.steps)) & (places % 1.0 > 0)]
-        return moving if len(moving) else places[len(places) // 2 :][:1]
+        """Tell places of a stretch evenly, however fast the body comes from one to the next."""
+        first, last = self.place(np.array(stretch, dtype=float))
+        return first + (last - first) * (np.arange(SAMPLES) + 0.5) / SAMPLES
+
+    def soft(self, stretch: Stretch) -> Stretch:
+        """Take a stretch with the halts at its ends."""
+        before = [step.stop for step in self.steps if step.stop <= stretch[0]]
+        after = [step.start for step in self.steps if step.start >= stretch[1]]
+        end = max(stretch[1], self.steps[-1].stop)
+        return max(before, default=0), min(after, default=end)
 
     def state(self, border: int) -> str:
         """Name the state between two steps."""

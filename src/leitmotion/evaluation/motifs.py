@@ -9,10 +9,10 @@ A motif is *false* when it is told of a stretch that does not carry it
 asked for it.
 
 A motif is *found* when one of its name is told with the same cyclic flag of a stretch that overlaps it by half
-(intersection over union), or that covers half of it and lies by half within what it may reach; of one that may reach
-farther than it must, the flag is not compared. Symmetric paths and pairs may be told in parts, half of which must be
-covered. Stillness is found when half of it is covered: its borders are soft. What is said by another motif
-(:data:`IMPLIED_BY`) need not be told besides.
+(intersection over union), or that covers half of it and lies by half within what it may reach, the halts at its ends
+among that; of one that may reach farther than its halts, the flag is not compared. Symmetric paths and pairs may be
+told in parts, half of which must be covered. Stillness is found when half of it is covered: its borders are soft. What
+is said by another motif (:data:`IMPLIED_BY`) need not be told besides.
 
 References
 ----------
@@ -98,7 +98,7 @@ def evaluate_motifs(
     course = Course.of(steps)
     false = tuple(span for span in sure if not carries(course, span))
     true = [span for span in sure if span not in false]
-    missed = tuple(span for span in asked if not _found(span, true))
+    missed = tuple(span for span in asked if not _found(course, span, true))
     return MotifScores(missed, false, len(asked), len(sure))
 
 
@@ -112,7 +112,7 @@ def _check(span: MotifSpan) -> None:
             )
 
 
-def _found(asked: MotifSpan, told: Sequence[MotifSpan]) -> bool:
+def _found(course: Course, asked: MotifSpan, told: Sequence[MotifSpan]) -> bool:
     named = [span for span in told if span.motif == asked.motif]
     implying = [span for span in told if span.motif in IMPLIED_BY.get(asked.motif, ())]
     if asked.partner is not None:
@@ -123,7 +123,7 @@ def _found(asked: MotifSpan, told: Sequence[MotifSpan]) -> bool:
         named += [_whole(span) for span in implying]
     if asked.motif == "symmetric_path":
         return _found_in_parts(asked, named)
-    return any(_hits(asked, span) for span in named)
+    return any(_hits(course, asked, span) for span in named)
 
 
 def _whole(span: MotifSpan) -> MotifSpan:
@@ -134,13 +134,13 @@ def _whole(span: MotifSpan) -> MotifSpan:
     return span._replace(start=first, stop=last, partner=None)
 
 
-def _hits(asked: MotifSpan, span: MotifSpan) -> bool:
+def _hits(course: Course, asked: MotifSpan, span: MotifSpan) -> bool:
     core, other = (asked.start, asked.stop), (span.start, span.stop)
     shared = _shared(core, other)
     if asked.motif == "stillness":
         return shared >= OVERLAP * _length(core)
     either = _length(core) + _length(other) - shared
-    inside = _shared(asked.widest or core, other) >= OVERLAP * _length(other)
+    inside = _shared(course.soft(asked.widest or core), other) >= OVERLAP * _length(other)
     overlaps = shared >= OVERLAP * either or (shared >= OVERLAP * _length(core) and inside)
     longer = asked.widest not in (None, core) and not asked.cyclic
     return overlaps and (span.cyclic == asked.cyclic or longer)
