@@ -92,7 +92,7 @@ def _drawn(moments: Moments, candidates: Sequence[int], extents: Mapping[int, fl
     if not candidates:
         nothing: list[list[Any]] = [[] for _ in moments.starts[1:]]
         return _Drawn(Walked(nothing, nothing, []), moments.half, 0.0)
-    orbits = cluster(moments, candidates, alike_within(moments, candidates, extents))
+    orbits = cluster(moments, candidates, alike_within(moments, candidates, extents), extents)
     walked = reduced(visits(moments, orbits), Atlas(moments, orbits.alike))
     return _Drawn(walked, float(np.median(orbits.alike)), orbits.confidence)
 

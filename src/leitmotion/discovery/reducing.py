@@ -79,6 +79,10 @@ def reduced(stops: Sequence[Sequence[Stop]], atlas: Atlas) -> Walked:
     """
     while True:
         walked = Walked([list(row) for row in stops], *atlas.sort(ways_of(stops)))
+        kept = _as_others(walked)
+        if kept != walked.stops:
+            stops = kept
+            continue
         through = _through(walked)
         passed = [orbit for orbit in through if _is_on_the_way(orbit, through, walked, atlas)]
         if not passed or len(through) == 1:
@@ -93,17 +97,37 @@ def reduced(stops: Sequence[Sequence[Stop]], atlas: Atlas) -> Walked:
 
 
 def _through(walked: Walked) -> dict[int, set[tuple[Gone, Gone]]]:
-    """By state, the ways into it and on; those of its mirror image as they are seen in the mirror."""
+    """By state, the ways into it and on, where the body halts or turns; of an image as seen in the mirror."""
     through: dict[int, set[tuple[Gone, Gone]]] = {stop.orbit: set() for row in walked.stops for stop in row}
-    turns = {orbit for orbit in through if sum(stop.told for stop in walked.at(orbit)) > 1}
-    for row, gone in zip(walked.stops, walked.gone, strict=True):
-        for stop, into, out in zip(row[1:-1], gone[:-1], gone[1:], strict=True):
-            if stop.orbit in turns and not stop.told:
-                continue  # where a body halts tells more of a state than where it happens to pass
-            pair, image = (into, out), (walked.image(into), walked.image(out))
-            seen = min(pair, image) if stop.side == 0 else pair if stop.side == 1 else image
-            through[stop.orbit].add(seen)
+    for n, row in enumerate(walked.stops):
+        for k, stop in enumerate(row[1:-1], 1):
+            if stop.told:
+                through[stop.orbit].add(_seen(n, k, walked))
     return through
+
+
+def _seen(n: int, k: int, walked: Walked) -> tuple[Gone, Gone]:
+    """The way into a stop and the way on, of a mirror image as seen in the mirror."""
+    stop, into, out = walked.stops[n][k], walked.gone[n][k - 1], walked.gone[n][k]
+    image = (walked.image(into), walked.image(out))
+    return min((into, out), image) if stop.side == 0 else (into, out) if stop.side == 1 else image
+
+
+def _as_others(walked: Walked) -> list[list[Stop]]:
+    """Leave out where a body passes a state on other paths than those on which it comes and goes when it halts."""
+    paths: dict[int, set[int]] = {stop.orbit: set() for row in walked.stops for stop in row}
+    beside = [
+        [{gone.path for gone in walked.gone[n][max(k - 1, 0) : k + 1]} for k in range(len(row))]
+        for n, row in enumerate(walked.stops)
+    ]
+    for row, ways in zip(walked.stops, beside, strict=True):
+        for stop, near in zip(row, ways, strict=True):
+            if stop.told:
+                paths[stop.orbit] |= near
+    return [
+        [stop for stop, near in zip(row, ways, strict=True) if stop.told or near <= paths[stop.orbit]]
+        for row, ways in zip(walked.stops, beside, strict=True)
+    ]
 
 
 def _is_on_the_way(

@@ -6,7 +6,7 @@ halt, be it a small wave or a jump with both arms.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Container, Mapping, Sequence
 from itertools import pairwise
 from typing import NamedTuple
 
@@ -33,6 +33,8 @@ class Orbits(NamedTuple):
     """1 or -1 for each member, as it is the state or its mirror image; 0 where that is one."""
     alike: tuple[float, ...]
     """The angle within which a moment is in the state."""
+    goes_round: tuple[bool, ...]
+    """Whether a movement goes round by it without a halt."""
     confidence: float
     """0 where two states are as near as the members of one, 1 where members do not differ."""
 
@@ -81,7 +83,7 @@ def alike_within(moments: Moments, candidates: Sequence[int], extents: Mapping[i
     return np.clip(least, moments.half, max(LOOSEST, moments.half))
 
 
-def cluster(moments: Moments, candidates: Sequence[int], alike: np.ndarray) -> Orbits:
+def cluster(moments: Moments, candidates: Sequence[int], alike: np.ndarray, round_: Container[int]) -> Orbits:
     """Group candidates that are alike, or each other's mirror image.
 
     Parameters
@@ -92,6 +94,8 @@ def cluster(moments: Moments, candidates: Sequence[int], alike: np.ndarray) -> O
         Moments, in order.
     alike : (C,) float
         What :func:`alike_within` tells of them; of two the lesser counts.
+    round_ : container of int
+        Candidates by which a movement goes round without a halt.
 
     Returns
     -------
@@ -120,4 +124,7 @@ def cluster(moments: Moments, candidates: Sequence[int], alike: np.ndarray) -> O
         sides.append(np.zeros(len(inside), dtype=int) if symmetric else np.where(near, 1, -1))
     inner, outer = heights[heights <= 1.0], heights[heights > 1.0]
     confidence = 1.0 - float(inner.max(initial=0.0)) / float(outer.min(initial=2.0))
-    return Orbits(tuple(members), tuple(sides), tuple(within), float(np.clip(confidence, 0.0, 1.0)))
+    goes_round = tuple(any(moment in round_ for moment in held.tolist()) for held in members)
+    return Orbits(
+        tuple(members), tuple(sides), tuple(within), goes_round, float(np.clip(confidence, 0.0, 1.0))
+    )

@@ -39,6 +39,8 @@ class _Node(NamedTuple):
     """How near a moment has to come that only passes."""
     members: np.ndarray
     """Moments at which the body halts there, turns, or begins a cycle."""
+    goes_round: bool
+    """Whether a movement goes round by it without a halt, so that each passing tells as much as another."""
 
 
 def visits(moments: Moments, orbits: Orbits) -> list[list[Stop]]:
@@ -71,9 +73,8 @@ def _nodes(moments: Moments, orbits: Orbits) -> list[_Node]:
             own = sides == side
             image = straight(moments.mirror[members], floor)
             rows = np.where(own[:, None], moments.own[members], image) / alike
-            nodes.append(
-                _Node(orbit, side, np.median(rows, axis=0), _reach(rows[:, members], own), members[own])
-            )
+            near, reach = np.median(rows, axis=0), _reach(rows[:, members], own)
+            nodes.append(_Node(orbit, side, near, reach, members[own], orbits.goes_round[orbit]))
     return nodes
 
 
@@ -101,7 +102,7 @@ def _row(nodes: list[_Node], start: int, stop: int) -> list[Stop]:
         after = runs[k + 1][1] if k + 1 < len(runs) else stop - start
         before = stops[-1].stop - start if stops else 0
         begin, end = _held(away[which], before, first, last, after)
-        halted = bool((told[first : last + 1] == which).any())
+        halted = nodes[which].goes_round or bool((told[first : last + 1] == which).any())
         stops.append(Stop(nodes[which].orbit, nodes[which].side, start + begin, start + end, halted))
     return stops
 
