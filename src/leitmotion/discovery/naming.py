@@ -37,6 +37,8 @@ LEAST_CONFIDENCE = 0.1
 IN_GENERAL = 0.9  # of the confidence of what is told more fully, that what it implies has at most
 LESS_SPECIAL = 0.2  # of the confidence of an anti-palindrome, that being anti-phase besides says less
 IMPLIED = 0.6  # of a form, that another tells which implies it
+GOES_ON = 3  # marks: of more than two cycles
+IMPLYING = 0.6  # of the confidence of what is implied, that what implies it has at least
 ONCE = 0.75  # of the confidence that what came back once has, since nothing shows that it would again
 NAMES = {
     # mirror, reversed: where symmetric, where not, and what it is implied by
@@ -86,11 +88,15 @@ def name_forms(forms: Sequence[Form], waypoints: Waypoints) -> list[tuple[Form, 
         for form in forms:
             if (form.mirror, form.reversed) != kind:
                 continue
-            implied = any(
-                (other.mirror, other.reversed) in IMPLIES.get(kind, ()) and covered_by(form, other) > IMPLIED
-                for other, _ in told
-            )
             named = _named(form, waypoints)
+            implied = any(
+                (other.mirror, other.reversed) in IMPLIES.get(kind, ())
+                and covered_by(form, other) > IMPLIED
+                and one.confidence >= IMPLYING * named.confidence
+                for other, one in told
+            )
+            if kind == (True, True):
+                implied = any(_part_of(form, other) for other in forms)
             if kind == (True, False):
                 special = max(
                     (one.confidence for other, one in told if covered_by(form, other) > IMPLIED), default=0.0
@@ -186,6 +192,12 @@ def _told_sides(waypoints: Waypoints, first: int, last: int) -> str:
 
 def _sides(waypoints: Waypoints, first: int, last: int) -> Sides:
     return sides_of(waypoints.own, waypoints.products, first, last)
+
+
+def _part_of(turn: Form, cycle: Form) -> bool:
+    """Whether a turn is a part of a cycle that goes on, in which the body passes a symmetric posture."""
+    goes_on = not (cycle.mirror or cycle.reversed) and len(cycle.marks) > GOES_ON
+    return goes_on and covered_by(turn, cycle) > IMPLIED and turn.last - turn.first < cycle.way
 
 
 def _ramp(value: float, zero: float, one: float) -> float:

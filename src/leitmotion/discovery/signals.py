@@ -20,7 +20,8 @@ from leitmotion.discovery.waypoints import Waypoints
 
 CEILING = 8.0  # waypoints that a path can lose before it ends, whatever it gained
 LEAST_GAIN = 1.5  # of a signal, in waypoints that are the same
-LOOSE, LOOSEST = 2.0, 0.4  # times the usual cost of a path, but no less: beyond it an end is cut off
+BEST = 0.25  # quantile of the cost of a path
+LOOSE, LOOSEST = 3.0, 0.7  # times that, but no less, at which it gains nothing
 REST = 3.0  # times as long as at other waypoints the body stays where it rests
 MEETS = 2  # waypoints apart at most a reversed path meets the identity axis
 BAND = 3  # waypoints beside a signal in which no other runs
@@ -94,6 +95,8 @@ def find_signals(waypoints: Waypoints, *, mirror: bool, reverse: bool) -> list[S
             continue
         kernels.take(taken, traced, BAND)
         traced = _trimmed(traced, apart)
+        if not len(traced):
+            continue
         cells = traced.copy()
         if reverse:
             cells[:, 1] = count - 1 - cells[:, 1]
@@ -105,10 +108,17 @@ def find_signals(waypoints: Waypoints, *, mirror: bool, reverse: bool) -> list[S
 
 
 def _trimmed(path: np.ndarray, apart: np.ndarray) -> np.ndarray:
-    """The path without its ends in which the likeness fades: past a posture that both reach their ways still part."""
+    """The part of a path in which it gains most by a measure as strict as its own best quarter.
+
+    Past a posture that both reach, their ways go on being somewhat alike before they part.
+    """
     cost = apart[path[:, 0], path[:, 1]]
-    near = np.flatnonzero(cost <= max(LOOSE * float(np.median(cost)), LOOSEST))
-    return path[near[0] : near[-1] + 1]
+    strict = min(max(LOOSE * float(np.quantile(cost, BEST)), LOOSEST), 1.0)
+    summed = np.concatenate(([0.0], np.cumsum(np.maximum(1 - cost / strict, -1.0))))
+    gained = summed - np.minimum.accumulate(summed)
+    stop = int(np.argmax(gained))
+    start = int(np.argmin(summed[: stop + 1]))
+    return path[start:stop]
 
 
 def _between_rests(path: np.ndarray, waypoints: Waypoints) -> slice:

@@ -27,11 +27,12 @@ from leitmotion.discovery.pairs import Pair, loops, pairs_of_paths
 from leitmotion.discovery.sides import sides_of
 from leitmotion.discovery.signals import Signal, find_signals
 from leitmotion.discovery.symmetry_span import Symmetry, SymmetrySpan
-from leitmotion.discovery.waypoints import Waypoints, find_waypoints
+from leitmotion.discovery.waypoints import Waypoints, angles, find_waypoints
 from leitmotion.similarity import DoubleMetric, still_spans
 
 STILL_SHARE = 0.6  # of the angle of half likeness, that a body which keeps still stays within
 STILL = np.radians(5.0), np.radians(6.5)  # bounds of that, of a mean link
+DRIFT = np.radians(8.0)  # a second, of a body that keeps still: one that passes slowly is faster
 SAME_PAIR = 0.6  # of both stretches of a pair, in those of another
 
 
@@ -156,4 +157,16 @@ def _still(found: DoubleMetric, min_still_s: float) -> list[SymmetrySpan]:
     return [
         SymmetrySpan("stillness", start, stop, 1.0, reason=reason)
         for start, stop, _, _ in still_spans(narrow, min_duration_s=min_still_s)
+        if _drift(found, start, stop) <= DRIFT
     ]
+
+
+def _drift(found: DoubleMetric, start: int, stop: int) -> float:
+    """How fast the posture changes from the first third of a stretch to the last, noise aside; radians a second."""
+    third = max((stop - start) // 3, 1)
+    first, last = slice(start, start + third), slice(stop - third, stop)
+    across, before, after = (
+        float((angles(found.own[one, other], found.metric) ** 2).mean())
+        for one, other in ((first, last), (first, first), (last, last))
+    )
+    return float(np.sqrt(max(across - (before + after) / 2, 0))) * found.rate / (stop - start - third)

@@ -72,7 +72,7 @@ def find_waypoints(found: DoubleMetric) -> Waypoints:
     step = half * STEP
     at = kernels.waypoints(found.own, np.float32(_distance(step, found.metric)))
     grid = np.ix_(at, at)
-    own, mirror = (_angles(each[grid], found.metric) for each in (found.own, found.mirror))
+    own, mirror = (angles(each[grid], found.metric) for each in (found.own, found.mirror))
     products = antisymmetric(own.astype(np.float64), mirror)
     way = np.concatenate(([0.0], np.cumsum(np.diagonal(own, 1))))[: len(at)]
     since = np.searchsorted(way, way - REACH)
@@ -81,8 +81,8 @@ def find_waypoints(found: DoubleMetric) -> Waypoints:
     return Waypoints(at, own, mirror, products, _alike(own, since, until))
 
 
-def _angles(distances: np.ndarray, metric: str) -> np.ndarray:
-    """The same as angles; moments that share no link are as far apart as can be."""
+def angles(distances: np.ndarray, metric: str) -> np.ndarray:
+    """Turn distances (...) into angles of a mean link, radians; moments that share no link are as far as can be."""
     turned = distances if metric == "geodesic" else 2 * np.arccos(np.clip(1 - distances, -1, 1))
     return np.nan_to_num(turned, nan=np.pi)
 
