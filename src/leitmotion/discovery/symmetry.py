@@ -26,6 +26,7 @@ from leitmotion.discovery.naming import (
 from leitmotion.discovery.pairs import Pair, loops, pairs_of_paths
 from leitmotion.discovery.sides import sides_of
 from leitmotion.discovery.signals import Signal, find_signals
+from leitmotion.discovery.spikes import find_strikes
 from leitmotion.discovery.symmetry_span import Symmetry, SymmetrySpan
 from leitmotion.discovery.waypoints import Waypoints, angles, find_waypoints
 from leitmotion.similarity import DoubleMetric, still_spans
@@ -91,6 +92,7 @@ def find_symmetry(found: DoubleMetric, *, min_still_s: float = 0.5) -> Symmetry:
             "sides_differ_deg": _lasting_deg(waypoints),
             "links": found.names,
         },
+        find_strikes(found),
     )
 
 
