@@ -174,25 +174,37 @@ def _turn(signal: Signal) -> float:
 
 
 def _follows(one: Signal, other: Signal, cycles: Sequence[Form]) -> bool:
-    """Whether the way between two turns lies in the reach of both; a part is enough where cycles have such ways."""
+    """Whether the way between two turns lies in the reach of both.
+
+    Within a run of cycles that have such ways a part is enough, and a turn or two between them may be unseen.
+    """
     here, there = _turn(one), _turn(other)
     way = there - here
     if way <= 0:
         return False
-    ways = 1 if one.mirror else 2
-    cyclic = any(
-        cycle.first <= here and there <= cycle.last and abs(cycle.way - ways * way) <= LARGEST_GAP * cycle.way
-        for cycle in cycles
-    )
     reach = min(one.later[1] - here, there - other.earlier[0])
-    return reach >= (MET_IN_CYCLE if cyclic else MET) * way
+    for cycle in cycles:
+        usual = cycle.way / (1 if one.mirror else 2)
+        times = round(way / usual)
+        if (
+            cycle.first <= here
+            and there <= cycle.last
+            and 1 <= times <= FEWEST_TURNS
+            and abs(way - times * usual) <= LARGEST_GAP * usual
+            and reach >= MET_IN_CYCLE * usual
+        ):
+            return True
+    return reach >= MET * way
 
 
 def _chain(turns: list[Signal], waypoints: Waypoints) -> Form:
     first, last = turns[0], turns[-1]
+    at = waypoints.at
     marks = [round(_turn(signal)) for signal in turns]
+    turned = [int(at[signal.earlier[1]] + at[signal.later[0]]) // 2 for signal in turns]
     start, stop = first.earlier[0], last.later[1]
     if len(marks) > 1:
+        marks, turned = _with_unseen(marks, turned, at)
         way = float(np.median(np.diff(marks)))
         start = max(start, round(marks[0] - OUTER * way))
         stop = min(stop, round(marks[-1] + OUTER * way))
@@ -200,8 +212,6 @@ def _chain(turns: list[Signal], waypoints: Waypoints) -> Form:
     for signal in turns:
         reached[max(signal.earlier[0] - start, 0) : max(signal.later[1] - start + 1, 0)] = True
     lengths = [len(signal.path) for signal in turns]
-    at = waypoints.at
-    turned = [int(at[signal.earlier[1]] + at[signal.later[0]]) // 2 for signal in turns]
     return Form(
         (start, *marks, stop),
         (min(waypoints.left(start), turned[0]), *turned, max(int(at[stop]), turned[-1])),
@@ -211,3 +221,16 @@ def _chain(turns: list[Signal], waypoints: Waypoints) -> Form:
         float(reached.mean()),
         max(signal.extent for signal in turns),
     )
+
+
+def _with_unseen(marks: list[int], turned: list[int], at: np.ndarray) -> tuple[list[int], list[int]]:
+    """Turns with those between them that were not seen, since two lie so many ways apart."""
+    ways = np.diff(marks)
+    usual = float(np.quantile(ways, 0.25))
+    all_marks, all_turned = marks[:1], turned[:1]
+    for k, way in enumerate(ways):
+        times = max(round(way / usual), 1)
+        unseen = [round(marks[k] + way * n / times) for n in range(1, times)]
+        all_marks += [*unseen, marks[k + 1]]
+        all_turned += [*(int(at[mark]) for mark in unseen), turned[k + 1]]
+    return all_marks, all_turned

@@ -138,7 +138,7 @@ def _between_rests(path: np.ndarray, waypoints: Waypoints) -> slice:
 def _innermost(path: np.ndarray, stay: np.ndarray, waypoints: Waypoints, usual: float) -> int:
     """How many cells lie before the last of those, near the end of a path, in which the body stays."""
     near = (waypoints.own[path[0], path] <= waypoints.alike[path[0]]).all(axis=1)
-    reach = min(int(np.argmin(near)) if not near.all() else len(path), len(path) // 3)
+    reach = min(int(np.argmin(near)) if not near.all() else len(path), len(path) // 2)
     if reach < 1 or stay[:reach].max() < REST * usual:
         return 0
     return int(np.flatnonzero(stay[:reach] >= stay[:reach].max() / 2)[-1])
