@@ -77,6 +77,7 @@ def reduced(stops: Sequence[Sequence[Stop]], atlas: Atlas) -> Walked:
     Walked
         What is left, of a recording that visits any one state at least.
     """
+    stops = _without_chance_ends(stops, HELD_S * atlas.moments.rate)
     while True:
         walked = Walked([list(row) for row in stops], *atlas.sort(ways_of(stops)))
         kept = _as_others(walked)
@@ -94,6 +95,24 @@ def reduced(stops: Sequence[Sequence[Stop]], atlas: Atlas) -> Walked:
             key=lambda orbit: (lopsided and walked.upright(orbit), min(s.start for s in walked.at(orbit))),
         )
         stops = [[stop for stop in row if stop.orbit != least] for row in walked.stops]
+
+
+def _without_chance_ends(stops: Sequence[Sequence[Stop]], held: float) -> list[list[Stop]]:
+    """Leave out a state at which a recording only happens to begin or to end, where there are others."""
+    halted: dict[int, list[Stop]] = {stop.orbit: [] for row in stops for stop in row}
+    ends = set()
+    for row in stops:
+        told = [stop for stop in row if stop.told]
+        ends |= {stop.orbit for stop in (*told[:1], *told[-1:])}
+        for stop in told:
+            halted[stop.orbit].append(stop)
+    again = any(len(visits) > 1 for visits in halted.values())
+    chance = {
+        orbit
+        for orbit in ends
+        if again and len(halted[orbit]) == 1 and halted[orbit][0].stop - halted[orbit][0].start < held
+    }
+    return [[stop for stop in row if stop.orbit not in chance] for row in stops]
 
 
 def _through(walked: Walked) -> dict[int, set[tuple[Gone, Gone]]]:
