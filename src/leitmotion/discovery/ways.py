@@ -72,6 +72,16 @@ def node_of(stop: Stop, mirrored: bool = False) -> Node:
     return stop.orbit, -stop.side if mirrored else stop.side
 
 
+class _Member(NamedTuple):
+    """A way, and how it runs along the first of its path."""
+
+    way: Way
+    at: tuple[int, int]
+    """Its recording and its place there."""
+    mirrored: bool
+    reversed: bool
+
+
 class Atlas:
     """Tells which path each way is."""
 
@@ -111,36 +121,53 @@ class Atlas:
 
     def sort(self, ways: Sequence[Sequence[Way]]) -> tuple[list[list[Gone]], list[Course]]:
         """Sort ways into paths."""
-        members: list[list[tuple[Way, bool, bool]]] = []
-        gone: list[list[Gone]] = []
-        for row in ways:
-            gone.append([])
-            for way in row:
-                best = self._best(way, members)
-                if best is None:
-                    members.append([(way, False, False)])
-                    gone[-1].append(Gone(len(members) - 1, False, False))
-                else:
-                    members[best.path].append((way, best.mirrored, best.reversed))
-                    gone[-1].append(best)
-        courses = [self._course([way for way, _, _ in held]) for held in members]
-        return [[_told(g, courses[g.path]) for g in row] for row in gone], courses
+        paths: list[list[_Member]] = []
+        for row, line in enumerate(ways):
+            for k, way in enumerate(line):
+                self._add([_Member(way, (row, k), False, False)], paths)
+        for held in paths[:0:-1]:  # what the first ways of two paths kept apart, more of them may join
+            paths.remove(held)
+            self._add(held, paths)
+        courses = [self._course([member.way for member in held]) for held in paths]
+        gone = {
+            member.at: _told(Gone(path, member.mirrored, member.reversed), courses[path])
+            for path, held in enumerate(paths)
+            for member in held
+        }
+        return [[gone[row, k] for k in range(len(line))] for row, line in enumerate(ways)], courses
 
-    def _best(self, way: Way, members: Sequence[Sequence[tuple[Way, bool, bool]]]) -> Gone | None:
-        best, least = None, 1.0
-        for path, held in enumerate(members):
+    def _add(self, group: list[_Member], paths: list[list[_Member]]) -> None:
+        """Add ways that are one path to the path that they are, or as a path of their own."""
+        best, least = None, np.inf
+        for held in paths:
             for mirrored, reverse in product((False, True), (False, True)):
-                first = held[0][0]
-                ends = (node_of(first.target, mirrored), node_of(first.source, mirrored))
-                if (node_of(way.source), node_of(way.target)) != (ends if reverse else ends[::-1]):
-                    continue
-                told = [
-                    self.differs(other, way, mirrored != m, reverse != r) for other, m, r in held[:COMPARED]
-                ]
-                cost = float(np.median(told))
-                if cost < least:
-                    best, least = Gone(path, mirrored, reverse), cost
-        return best
+                cost = self._apart(held, group, mirrored, reverse)
+                rank = cost / BACKWARDS if reverse else cost
+                if cost < 1.0 and rank < least:
+                    best, least = (held, mirrored, reverse), rank
+        if best is None:
+            paths.append(group)
+            paths.sort(key=lambda held: held[0].at)
+            return
+        held, mirrored, reverse = best
+        held += [
+            member._replace(mirrored=member.mirrored != mirrored, reversed=member.reversed != reverse)
+            for member in group
+        ]
+
+    def _apart(self, held: list[_Member], group: list[_Member], mirrored: bool, reverse: bool) -> float:
+        """How far ways are from a path, gone so; infinitely where their ends are others."""
+        first, other = held[0].way, group[0].way
+        ends = (node_of(first.target, mirrored), node_of(first.source, mirrored))
+        if (node_of(other.source), node_of(other.target)) != (ends if reverse else ends[::-1]):
+            return np.inf
+        told = [
+            self.differs(
+                a.way, b.way, mirrored != (a.mirrored != b.mirrored), reverse != (a.reversed != b.reversed)
+            )
+            for a, b in product(held[:COMPARED], group[:COMPARED])
+        ]
+        return float(np.median(told))
 
     def _course(self, held: Sequence[Way]) -> Course:
         first = held[0]
@@ -150,8 +177,13 @@ class Atlas:
         symmetric = upright and self._median(sample, True, False)
         palindromic = closed and self._median(sample, False, True)
         turned = node_of(first.source, True) == node_of(first.target)
-        antipalindromic = turned and self._median(sample, True, True)
+        antipalindromic = turned and self._crosses(first) and self._median(sample, True, True)
         return Course(first, symmetric, palindromic, antipalindromic)
+
+    def _crosses(self, way: Way) -> bool:
+        """Whether a way leads through a symmetric posture, as what is anti-palindromic must."""
+        lopsided = np.diagonal(self.moments.mirror)[way.start : way.stop]
+        return bool(straight(lopsided, self.floor).min() < LEAST * self.ends(way))
 
     def _median(self, sample: Sequence[Way], mirrored: bool, reverse: bool) -> bool:
         return float(np.median([self.differs(way, way, mirrored, reverse) for way in sample])) < 1.0
