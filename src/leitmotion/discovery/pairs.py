@@ -93,10 +93,11 @@ def loops(apart: np.ndarray, waypoints: Waypoints, forms: Sequence[Form]) -> lis
         of shorter ways shares one for the greater part.
     """
     near = apart / np.minimum.outer(waypoints.alike, waypoints.alike)
+    columns = np.ascontiguousarray(near.T)
     back = []
     for j in range(len(near)):
         left = np.flatnonzero(waypoints.own[j, :j] > LEFT * waypoints.alike[j])
-        before = np.flatnonzero(near[: left[-1], j] < SAME_STATE) if left.size else left
+        before = np.flatnonzero(columns[j, : left[-1]] < SAME_STATE) if left.size else left
         if before.size:
             i, j = _nearest(near, int(before[-1]), j)
             back.append((int((j - i) * (1 + NEARER * near[i, j])), float(near[i, j]), i, j))

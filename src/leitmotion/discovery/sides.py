@@ -18,10 +18,13 @@ from typing import NamedTuple
 
 import numpy as np
 
+from leitmotion.discovery.labour import share_work
+
 LARGEST = np.radians(10.0)  # of a mean link, by which both sides may differ for long and be alike
 LEFT_OVER = np.radians(
     5.0
 )  # that no posture may come nearer to a mirror image: noise, and the sides of a person
+ROWS = 256  # that one core looks at together
 NEAREST = 0.25  # quantile over the postures, of how near each comes to a mirror image
 
 
@@ -48,7 +51,9 @@ def antisymmetric(own: np.ndarray, mirror: np.ndarray) -> np.ndarray:
     (K, K) float
         Radians squared.
     """
-    products: np.ndarray = (mirror**2 - own**2) / 4
+    products: np.ndarray = np.square(mirror, dtype=np.float64)
+    products -= np.square(own, dtype=np.float64)
+    products /= 4
     return products
 
 
@@ -96,34 +101,51 @@ def without_lasting(
         and without what is left at least between any posture and a mirror image. Of both means the one that makes a
         pair of postures more alike counts.
     """
-    if not len(own):
+    from leitmotion.discovery import _sides_kernels as kernels
+
+    count = len(own)
+    if not count:
         return np.zeros((0, 0), np.float32)
-    everywhere = np.zeros_like(since), np.full_like(until, len(own))
-    size = np.diagonal(products)
-    symmetric = own**2 - (size[:, None] + size - 2 * products)
-    squares = np.full_like(products, np.inf)
-    for stretch in ((since, until), everywhere):
-        moving = _about_means(products, *stretch)
-        size = np.diagonal(moving)
-        np.minimum(squares, symmetric + size[:, None] + size + 2 * moving, out=squares)
-    np.maximum(squares, 0, out=squares)
+    near = _about_means(products, since, until)
+    sizes, near_sizes = (np.diagonal(each).astype(np.float64) for each in (products, near))
+    throughout = products.mean(axis=0)
+    share = float(_share(2 * np.sqrt(max(float(throughout.mean()), 0.0))))
+    all_sizes = sizes - 4 * share * throughout + 2 * share**2 * throughout.mean()
+    squares = np.empty((count, count), np.float32)
+    share_work(
+        lambda some: kernels.least_squares(
+            own, products, near, sizes, near_sizes, all_sizes, some.start, some.stop, squares
+        ),
+        count,
+        ROWS,
+    )
     left_over = min(float(np.quantile(squares.min(axis=1), NEAREST)), LEFT_OVER**2)
-    mirror: np.ndarray = np.sqrt(np.maximum(squares - left_over, 0)).astype(np.float32)
+    np.subtract(squares, np.float32(left_over), out=squares)
+    np.maximum(squares, 0, out=squares)
+    mirror: np.ndarray = np.sqrt(squares, out=squares)
     return mirror
 
 
 def _about_means(products: np.ndarray, since: np.ndarray, until: np.ndarray) -> np.ndarray:
     """Inner products of antisymmetric parts without the mean around each, as far as that is not too large."""
-    rows = _means(products, since, until)
-    lasting = 2 * np.sqrt(np.maximum(np.diagonal(_means(rows.T, since, until)), 0))
-    share = np.minimum(1.0, LARGEST / np.maximum(lasting, LARGEST))
-    part = products - share[:, None] * rows
-    part -= share * _means(part.T, since, until).T
+    from leitmotion.discovery import _sides_kernels as kernels
+
+    count = len(products)
+    part = np.empty((count, count), np.float32)
+    share_work(
+        lambda some: kernels.row_means(products, since, until, some.start, some.stop, part), count, ROWS
+    )
+    means = np.empty(count)
+    kernels.mean_of_means(part, since, until, means)
+    share = _share(2 * np.sqrt(np.maximum(means, 0)))
+    share_work(
+        lambda some: kernels.without_means(products, part, share, since, until, some.start, some.stop),
+        count,
+        ROWS,
+    )
     return part
 
 
-def _means(values: np.ndarray, since: np.ndarray, until: np.ndarray) -> np.ndarray:
-    """Mean of the rows around each."""
-    summed = np.concatenate((np.zeros_like(values[:1]), np.cumsum(values, axis=0)))
-    means: np.ndarray = (summed[until] - summed[since]) / (until - since)[:, None]
-    return means
+def _share(lasting: np.ndarray | float) -> np.ndarray:
+    """How much of a mean antisymmetric part is taken out, by its angle."""
+    return np.minimum(1.0, LARGEST / np.maximum(lasting, LARGEST))

@@ -15,6 +15,7 @@ from __future__ import annotations
 import numpy as np
 
 from leitmotion.discovery.forms import Form, runs_of_cycles, runs_of_turns
+from leitmotion.discovery.labour import ahead
 from leitmotion.discovery.naming import (
     LEAST_CONFIDENCE,
     Named,
@@ -62,11 +63,9 @@ def find_symmetry(found: DoubleMetric, *, min_still_s: float = 0.5) -> Symmetry:
     True
     """
     waypoints = find_waypoints(found)
-    signals = {
-        (mirror, reverse): find_signals(waypoints, mirror=mirror, reverse=reverse)
-        for mirror in (False, True)
-        for reverse in (False, True)
-    }
+    kinds = [(mirror, reverse) for mirror in (False, True) for reverse in (False, True)]
+    traced = ahead(lambda kind: find_signals(waypoints, mirror=kind[0], reverse=kind[1]), kinds)
+    signals = dict(zip(kinds, traced, strict=True))
     cycles = runs_of_cycles(signals[False, False], waypoints)
     halves = runs_of_cycles(signals[True, False], waypoints, within=cycles)
     forms = [
