@@ -79,6 +79,7 @@ VIEWS = (
     View("pattern-chosen", address="t=35.4&pattern=B"),
     View("lesson", address="pattern=B&take=2&t=17.3"),
     View("shared", recording=SEVERAL, address="pattern=D&take=1&beside=1&t=42.1"),
+    View("symmetry", address="view=symmetry&t=22.3"),
     View("graph", recording=KICKS, address="view=graph&item=aa&visit=2&camera=front&t=3.2"),
     View("empty", recording=LIE, address="t=2.2"),
     View("tablet", width=900, height=1300, whole=True),

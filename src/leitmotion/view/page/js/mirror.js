@@ -105,13 +105,15 @@ function mirroredMoment(time) {
   return Math.abs(there - time) > 1e-3 ? there : null;
 }
 
+const MILLISECOND = 1e-3; // moments of a fit are rounded to it
+
 // What is laid under the figure in this view: now in the mirror, in a chosen stretch what its motif says is like it.
 function mirrorMoment(time) {
   const span = spanInPlay(time);
-  const way = span ? span.fit.at.findIndex((at) => time >= at[0] && time <= at.at(-1)) : -1;
+  const way = span ? span.fit.at.findIndex((at) => time >= at[0] - MILLISECOND && time <= at.at(-1) + MILLISECOND) : -1;
   if (way < 0) return { time, mirrored: true, words: "its mirror image" };
   const [at, to] = [span.fit.at[way], span.fit.to[way]];
-  const k = Math.max(at.findIndex((moment) => moment >= time), 1);
+  const k = clamp(at.findIndex((moment) => moment >= time), 1, at.length - 1);
   const there = to[k - 1] + ((time - at[k - 1]) / Math.max(at[k] - at[k - 1], 1e-6)) * (to[k] - to[k - 1]);
   return { time: clamp(there, 0, clip.last), mirrored: span.fit.mirrored, words: span.fit.words };
 }

@@ -112,6 +112,13 @@ function sayNow(pair) {
   else speak();
 }
 
+// What a person asked for is said before what is told by the way.
+function sayAtOnce(text) {
+  clearTimeout(spoken.late);
+  spoken.at = performance.now();
+  $("live").textContent = text;
+}
+
 function nowSentence() {
   if (state.view === "symmetry") return nowInTheMirrorSentence();
   if (state.view === "graph") return graphSentence();

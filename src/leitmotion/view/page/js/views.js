@@ -13,7 +13,7 @@ const viewNow = () => views.find((view) => view.id === state.view);
 function showView(id) {
   const view = views.find((each) => each.id === id);
   if (!view.ready) {
-    $("live").textContent = view.none;
+    sayAtOnce(view.none);
     showTip(view.tab, view.none);
     setTimeout(() => showTip(null), 4000);
     return;
