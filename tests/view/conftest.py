@@ -229,6 +229,35 @@ def page(practice_page: tuple[Any, list[str]]) -> Iterator[Any]:
     assert faults == []
 
 
+@pytest.fixture(scope="session")
+def symmetric_tab(browser: Any, symmetric_page: Path) -> Iterator[tuple[Any, list[str]]]:
+    """The page with symmetry, opened once, with the list of its faults."""
+    context = browser.new_context(viewport={"width": 1440, "height": 900})
+    page = context.new_page()
+    faults: list[str] = []
+    watch(page, faults)
+    page.goto(symmetric_page.as_uri())
+    yield page, faults
+    context.close()
+
+
+@pytest.fixture
+def at(symmetric_tab: tuple[Any, list[str]]) -> Iterator[Callable[[str], Any]]:
+    """Bring the page to an address, idle, nothing focused or pointed at; afterwards without a fault."""
+    page, faults = symmetric_tab
+
+    def brought(address: str) -> Any:
+        page.mouse.move(700, 40)
+        page.evaluate("document.activeElement.blur(); scrollTo(0, 0); location.hash = 't=0&theme=light'")
+        settle(page)
+        page.evaluate(f"location.hash = '{address}'")
+        settle(page)
+        return page
+
+    yield brought
+    assert faults == []
+
+
 def watch(page: Any, faults: list[str]) -> None:
     """Note every error of a page and every request but for files of this machine and what it made itself."""
     page.on("console", lambda message: faults.append(message.text) if message.type == "error" else None)

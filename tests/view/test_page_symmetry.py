@@ -13,6 +13,7 @@ from leitmotion.view.symmetry_words import NOT_COMPUTED
 pytestmark = pytest.mark.browser
 
 Open = Callable[..., Any]
+At = Callable[[str], Any]
 WALK, JACK, KICK = (
     0,
     2,
@@ -93,8 +94,8 @@ def test_without_symmetry_the_tab_says_why(page: Any) -> None:
     assert state(page)["view"] == "repeats"
 
 
-def test_red_is_itself_cyan_is_mirrored_white_is_both(open_page: Open, symmetric_page: Path) -> None:
-    page = open_page(symmetric_page, "view=symmetry&t=58&theme=light")
+def test_red_is_itself_cyan_is_mirrored_white_is_both(at: At) -> None:
+    page = at("view=symmetry&t=58&theme=light")
     places = {
         way: page.evaluate("([a, b]) => leitmotion.place(a, b)", moments_like(page, mirrored=way))
         for way in (False, True)
@@ -109,8 +110,8 @@ def test_red_is_itself_cyan_is_mirrored_white_is_both(open_page: Open, symmetric
     assert "half alike at" in page.locator("#matrix-legend").inner_text()
 
 
-def test_pointing_at_a_cell_lays_the_nearer_of_both_over_it(open_page: Open, symmetric_page: Path) -> None:
-    page = open_page(symmetric_page, "view=symmetry&t=58")
+def test_pointing_at_a_cell_lays_the_nearer_of_both_over_it(at: At) -> None:
+    page = at("view=symmetry&t=58")
     for mirrored in (True, False):
         one, two = moments_like(page, mirrored=mirrored)
         page.mouse.move(*cell(page, one, two))
@@ -131,8 +132,8 @@ def test_pointing_at_a_cell_lays_the_nearer_of_both_over_it(open_page: Open, sym
     assert not state(page)["held"]
 
 
-def test_the_number_is_that_of_the_library(open_page: Open, symmetric_page: Path) -> None:
-    page = open_page(symmetric_page, "view=symmetry&t=4")
+def test_the_number_is_that_of_the_library(at: At) -> None:
+    page = at("view=symmetry&t=4")
     for time in (4.0, 12.2, 31.0, 44.0):
         page.evaluate(f"location.hash = 'view=symmetry&t={time}'")
         state(page)
@@ -142,8 +143,8 @@ def test_the_number_is_that_of_the_library(open_page: Open, symmetric_page: Path
     assert page.locator("#panel figure").count() == 2
 
 
-def test_the_panel_tells_the_stretch_of_now(open_page: Open, symmetric_page: Path) -> None:
-    page = open_page(symmetric_page, "view=symmetry&t=4")
+def test_the_panel_tells_the_stretch_of_now(at: At) -> None:
+    page = at("view=symmetry&t=4")
     told = page.locator("#panel .verdict")
     assert told.inner_text() == (
         "Pattern A alternates: half a cycle later the body is its own mirror image. "
@@ -154,8 +155,8 @@ def test_the_panel_tells_the_stretch_of_now(open_page: Open, symmetric_page: Pat
     assert told.inner_text().startswith("The body keeps still.")
 
 
-def test_a_click_on_a_bar_plays_it_over_what_it_is_like(open_page: Open, symmetric_page: Path) -> None:
-    page = open_page(symmetric_page, "view=symmetry&t=20")
+def test_a_click_on_a_bar_plays_it_over_what_it_is_like(at: At) -> None:
+    page = at("view=symmetry&t=20")
     assert page.evaluate("leitmotion.mirrorMoment(4)") == {
         "time": 4,
         "mirrored": True,
@@ -189,16 +190,16 @@ def test_a_click_on_a_bar_plays_it_over_what_it_is_like(open_page: Open, symmetr
     assert state(page)["span"] is None
 
 
-def test_it_loops(open_page: Open, symmetric_page: Path) -> None:
-    page = open_page(symmetric_page, "view=symmetry&span=1&t=7.5")
+def test_it_loops(at: At) -> None:
+    page = at("view=symmetry&span=1&t=7.5")
     page.keyboard.press(" ")
     page.wait_for_timeout(500)
     page.keyboard.press(" ")
     assert 2 <= state(page)["time"] < 3
 
 
-def test_the_mirrored_figure_is_a_toggle(open_page: Open, symmetric_page: Path) -> None:
-    page = open_page(symmetric_page, "view=symmetry&t=31&trails=0")
+def test_the_mirrored_figure_is_a_toggle(at: At) -> None:
+    page = at("view=symmetry&t=31&trails=0")
     drawn = "document.getElementById('stage').toDataURL()"
     with_ghost = page.evaluate(drawn)
     page.locator("#toggles [data-toggle=ghost]").click()
@@ -219,8 +220,8 @@ def test_keys_step_from_stretch_to_stretch(open_page: Open, symmetric_page: Path
     assert not state(page)["playing"]
 
 
-def test_what_merely_comes_again_waits_behind_a_button(open_page: Open, symmetric_page: Path) -> None:
-    page = open_page(symmetric_page, "view=symmetry")
+def test_what_merely_comes_again_waits_behind_a_button(at: At) -> None:
+    page = at("view=symmetry")
     heads = page.locator(".motif-head:visible strong")
     assert heads.all_inner_texts() == [
         "Alternates sides",
@@ -247,8 +248,8 @@ def test_what_merely_comes_again_waits_behind_a_button(open_page: Open, symmetri
     assert ghost["time"] > 35
 
 
-def test_bars_show_marks_doubt_and_words(open_page: Open, symmetric_page: Path) -> None:
-    page = open_page(symmetric_page, "view=symmetry")
+def test_bars_show_marks_doubt_and_words(at: At) -> None:
+    page = at("view=symmetry")
     bars = page.locator(".motifs .stretch")
     marks = page.evaluate("leitmotion.payload.symmetry.lanes[0].spans[0].marks.length")
     assert bars.nth(WALK).locator("span").count() == marks - 1
@@ -281,10 +282,8 @@ def test_a_pattern_chosen_here_dims_the_others(open_page: Open, symmetric_page: 
     assert state(page)["span"] == JACK
 
 
-def test_the_table_holds_everything_the_lanes_show(
-    open_page: Open, symmetric_page: Path, mirroring: Any
-) -> None:
-    page = open_page(symmetric_page, "view=symmetry")
+def test_the_table_holds_everything_the_lanes_show(at: At, mirroring: Any) -> None:
+    page = at("view=symmetry")
     rows = page.locator("#table tbody tr:visible")
     assert rows.count() == len(mirroring.found.spans)
     first = rows.first.locator("td").all_inner_texts()
@@ -299,8 +298,8 @@ def test_the_table_holds_everything_the_lanes_show(
     assert download.value.suggested_filename == "practice-motifs.csv"
 
 
-def test_curves_by_a_menu(open_page: Open, symmetric_page: Path) -> None:
-    page = open_page(symmetric_page, "view=symmetry&t=12")
+def test_curves_by_a_menu(at: At) -> None:
+    page = at("view=symmetry&t=12")
     menu = page.locator(".curve-menu")
     assert menu.inner_text() == "Lopsidedness"
     menu.click()
@@ -348,8 +347,8 @@ def test_flights_are_shaded_with_what_they_say(
     assert band.count() == 0
 
 
-def test_the_triangle_is_the_same_matrix_turned(open_page: Open, symmetric_page: Path) -> None:
-    page = open_page(symmetric_page, "view=symmetry&t=58&theme=light")
+def test_the_triangle_is_the_same_matrix_turned(at: At) -> None:
+    page = at("view=symmetry&t=58&theme=light")
     square = {
         way: colour(
             page,
@@ -397,8 +396,8 @@ def test_nothing_is_cut_off_at_any_width(
     assert title["x"] + title["width"] <= switch["x"] + 1 or title["y"] + title["height"] <= switch["y"]
 
 
-def test_the_picture_s_lanes_are_seen_without_scrolling(open_page: Open, symmetric_page: Path) -> None:
-    page = open_page(symmetric_page, "view=symmetry&t=4")
+def test_the_picture_s_lanes_are_seen_without_scrolling(at: At) -> None:
+    page = at("view=symmetry&t=4")
     fourth = page.locator(".motifs .lane:visible").nth(3).bounding_box()
     assert fourth["y"] + fourth["height"] <= 900
 
@@ -413,8 +412,8 @@ def test_on_paper(open_page: Open, symmetric_page: Path) -> None:
     assert page.locator(".motifs .lane:visible").count() == 4
 
 
-def test_what_is_heard(open_page: Open, symmetric_page: Path) -> None:
-    page = open_page(symmetric_page, "view=symmetry&t=4")
+def test_what_is_heard(at: At) -> None:
+    page = at("view=symmetry&t=4")
     page.wait_for_timeout(1100)
     assert "from its own mirror image, on average. Alternates sides." in page.locator("#live").inner_text()
     label = page.locator("#matrix").get_attribute("aria-label")
