@@ -68,6 +68,7 @@ def test_labels_for_elan_count_from_the_start_of_the_file(run: Run, made: Path) 
 def test_the_page_holds_the_lesson(run: Run, made: Path) -> None:
     assert run("patterns", made / "jacks.bvh", "--lesson", "-o", "lesson.html").exit_code == 0
     assert '"lesson":{"steps":[{' in Path("lesson.html").read_text(encoding="utf-8")
+    assert '"opens_with":"lesson"' in Path("lesson.html").read_text(encoding="utf-8")
 
 
 def test_nothing_recurs_nothing_to_learn(run: Run, made: Path) -> None:

@@ -213,6 +213,27 @@ def test_a_long_name_is_shortened_and_cuts_off_no_control(
     assert page.evaluate(sticks_out) == 0
 
 
+@pytest.mark.browser
+def test_names_that_begin_and_end_alike_are_cut_where_they_do(
+    open_page: Open, shared: Shared, folder: Path
+) -> None:
+    names = ("HDM_bd_walk_2_steps_001_120", "HDM_bk_walk_2_steps_001_120", "HDM_bd_walk_2_steps_002_120")
+    page = open_page(
+        lm.report_shared(shared.bodies, folder / "alike.html", shared=shared.found.replace(names=names)),
+        width=390,
+    )
+    page.evaluate(
+        """() => { window.written = []; const fillText = CanvasRenderingContext2D.prototype.fillText;
+        CanvasRenderingContext2D.prototype.fillText = function (text, ...at) {
+          if (this.canvas.id === "matrix-base") written.push(text); return fillText.call(this, text, ...at); }; }"""
+    )
+    page.evaluate("location.hash = 'pattern=A&take=1'")
+    state(page)
+    along_one_axis = page.evaluate("written.filter((_, k) => k % 2 === 0)")[:3]
+    assert len(set(along_one_axis)) == 3
+    assert all("…" in word and not word.startswith("HDM") for word in along_one_axis)
+
+
 def test_times_that_differ_are_told_from_the_shortest_to_the_longest() -> None:
     places = Places([0, 1], [0, 0], [60, 60])
     uneven = SharedPattern("A", "acyclic", places, places, 2.5, 0.02, 0.8)
