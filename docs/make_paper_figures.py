@@ -17,7 +17,7 @@ from typing import Any
 
 HERE = Path(__file__).resolve().parent
 PICTURES = HERE / "papers" / "figures"
-PAPERS = ("paper_p",)
+PAPERS = ("paper_p", "paper_s")
 DENSITY = 150  # dots an inch
 
 
