@@ -16,7 +16,7 @@ from leitmotion.discovery.forms import LEAST_EXTENT, Form
 from leitmotion.discovery.signals import Signal
 from leitmotion.discovery.waypoints import Waypoints
 
-INSIDE = 0.8  # of both stretches, that lie in one form: their likeness is the form's
+INSIDE = 0.6  # of both stretches, that lie in one form: their likeness is the form's
 OVERLAP = 0.1  # of a stretch, up to which two that follow one another may overlap
 PART = 1.5  # cycles of a form, up to which likeness within it is not the form's own
 LONG = 3.0  # times as long as a loop a cycle is, of which the loop is a part of its own

@@ -22,6 +22,7 @@ CEILING = 8.0  # waypoints that a path can lose before it ends, whatever it gain
 LEAST_GAIN = 1.5  # of a signal, in waypoints that are the same
 BEST = 0.25  # quantile of the cost of a path
 LOOSE, LOOSEST = 3.0, 0.7  # times that, but no less, at which it gains nothing
+PARTED = 1.6  # of what is alike, that two ways may go from a rest before they part
 REST = 3.0  # times as long as at other waypoints the body stays where it rests
 MEETS = 2  # waypoints apart at most a reversed path meets the identity axis
 BAND = 3  # waypoints beside a signal in which no other runs
@@ -137,7 +138,7 @@ def _between_rests(path: np.ndarray, waypoints: Waypoints) -> slice:
 
 def _innermost(path: np.ndarray, stay: np.ndarray, waypoints: Waypoints, usual: float) -> int:
     """How many cells lie before the last of those, near the end of a path, in which the body stays."""
-    near = (waypoints.own[path[0], path] <= waypoints.alike[path[0]]).all(axis=1)
+    near = (waypoints.own[path[0], path] <= PARTED * waypoints.alike[path[0]]).all(axis=1)
     reach = min(int(np.argmin(near)) if not near.all() else len(path), len(path) // 2)
     if reach < 1 or stay[:reach].max() < REST * usual:
         return 0
