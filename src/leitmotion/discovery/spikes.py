@@ -19,10 +19,10 @@ from leitmotion.discovery.waypoints import angles
 from leitmotion.similarity import DoubleMetric
 
 APART_S = 0.1  # between two of the three postures, seconds
-FAST = np.radians(140.0)  # a second, of a mean link before the impact; a walk is half as fast
+FAST = np.radians(140.0)  # a second, of a mean link before the impact; a walk is slower
 BRAKED = np.radians(
     180.0
-)  # a second, by which the movement is braked from before to after; a jumping jack turns at 160
+)  # a second, by which the movement is braked from before to after; a jumping jack turns more slowly
 ONWARD = 0.15  # of the speed before, that may go on afterwards
 
 
