@@ -6,7 +6,7 @@ import pytest
 import leitmotion as lm
 from leitmotion.discovery.symmetry_span import PAIRED
 from leitmotion.io import archive
-from leitmotion.motion import resample
+from leitmotion.motion import resample, rotations
 from oracles import body as oracle
 from oracles import motifs as made
 
@@ -134,3 +134,51 @@ def test_it_is_saved_and_loaded():
 def test_recordings_are_what_a_person_sees(data, recording, motif, cyclic):
     best = leading(told(lm.read(data / recording)))
     assert (best.motif, best.cyclic) == (motif, cyclic)
+
+
+def sure(found, length, *, back=False):
+    """What is told with confidence and where, in seconds; told backwards in the direction of the recording."""
+    spans = [
+        (span.motif, span.start / found.rate, span.stop / found.rate)
+        for span in found.spans
+        if span.motif not in (*PAIRED, "stillness") and span.confidence >= 0.6
+    ]
+    return sorted(
+        (name, length - stop, length - start) if back else (name, start, stop) for name, start, stop in spans
+    )
+
+
+@pytest.mark.data
+def test_in_a_session_neither_rate_nor_direction_of_time_change_what_is_told(data):
+    motion = lm.read(data / "cmu86" / "86_01.amc")[::2]
+    seconds = len(motion) / motion.rate
+    back = motion.replace(
+        local_positions=motion.local_positions[::-1], local_rotations=motion.local_rotations[::-1]
+    )
+    plain = told(motion)
+    half = sure(told(motion[::2]), seconds)
+    assert [name for name, _, _ in half] == [name for name, _, _ in sure(plain, seconds)]
+    np.testing.assert_allclose(
+        [ends for _, *ends in half], [ends for _, *ends in sure(plain, seconds)], atol=0.15
+    )
+    for name, start, stop in sure(plain, seconds):
+        if (
+            name != "anti_phase" or start > 5
+        ):  # the first walk goes over into standing, which half-cycles part
+            assert any(
+                name == other and abs(start - a) < 0.4 and abs(stop - b) < 0.4
+                for other, a, b in sure(told(back), seconds, back=True)
+            ), (name, start, stop)
+
+
+def test_a_shaken_recording_with_a_crooked_side_tells_the_same(rng):
+    for motif in RUNS:
+        motion = made.movement(motif)
+        shape = (*motion.local_rotations.shape[:2], 3)
+        shaken = rotations.from_rotation_vector(np.radians(3.0) * rng.normal(size=shape))
+        askew = rotations.from_rotation_vector(np.radians([4.0, 0.0, 6.0]))
+        local = rotations.multiply(motion.local_rotations, shaken)
+        for joint in ("LeftArm", "LeftForeArm"):
+            place = motion.skeleton.index(joint)
+            local[:, place] = rotations.multiply(local[:, place], askew)
+        assert leading(told(motion.replace(local_rotations=local))).motif == motif
