@@ -136,39 +136,36 @@ def test_recordings_are_what_a_person_sees(data, recording, motif, cyclic):
     assert (best.motif, best.cyclic) == (motif, cyclic)
 
 
-def sure(found, length, *, back=False):
-    """What is told with confidence and where, in seconds; told backwards in the direction of the recording."""
+def timed(found, least, *, back=False):
+    """What is told with some confidence, in seconds; of a recording told backwards, in its own direction."""
+    length = found.frames / found.rate
     spans = [
         (span.motif, span.start / found.rate, span.stop / found.rate)
         for span in found.spans
-        if span.motif not in (*PAIRED, "stillness") and span.confidence >= 0.6
+        if span.motif not in (*PAIRED, "stillness") and span.confidence >= least
     ]
-    return sorted(
+    return [
         (name, length - stop, length - start) if back else (name, start, stop) for name, start, stop in spans
-    )
+    ]
 
 
 @pytest.mark.data
 def test_in_a_session_neither_rate_nor_direction_of_time_change_what_is_told(data):
-    motion = lm.read(data / "cmu86" / "86_01.amc")[::2]
-    seconds = len(motion) / motion.rate
+    motion = lm.read(data / "cmu86" / "86_01.amc")[1200::2]
     back = motion.replace(
         local_positions=motion.local_positions[::-1], local_rotations=motion.local_rotations[::-1]
     )
-    plain = told(motion)
-    half = sure(told(motion[::2]), seconds)
-    assert [name for name, _, _ in half] == [name for name, _, _ in sure(plain, seconds)]
-    np.testing.assert_allclose(
-        [ends for _, *ends in half], [ends for _, *ends in sure(plain, seconds)], atol=0.15
-    )
-    for name, start, stop in sure(plain, seconds):
-        if (
-            name != "anti_phase" or start > 5
-        ):  # the first walk goes over into standing, which half-cycles part
-            assert any(
-                name == other and abs(start - a) < 0.4 and abs(stop - b) < 0.4
-                for other, a, b in sure(told(back), seconds, back=True)
-            ), (name, start, stop)
+    plain, slow, turned = told(motion), told(motion[::2]), told(back)
+    assert len(timed(plain, 0.5)) >= 5
+    for sure, doubtful in (
+        (timed(plain, 0.5), timed(slow, 0.35)),
+        (timed(slow, 0.5), timed(plain, 0.35)),
+        (timed(plain, 0.5), timed(turned, 0.35, back=True)),
+        (timed(turned, 0.5, back=True), timed(plain, 0.35)),
+    ):
+        for name, start, stop in sure:
+            shared = [min(stop, b) - max(start, a) for other, a, b in doubtful if name == other]
+            assert max(shared, default=0.0) > 0.8 * (stop - start), (name, start, stop)
 
 
 def test_a_shaken_recording_with_a_crooked_side_tells_the_same(rng):
