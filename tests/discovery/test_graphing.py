@@ -207,3 +207,28 @@ def test_what_is_asked_wrongly_is_told():
 )
 def test_real_recordings_are_what_they_are(data, file, expected):
     assert written(lm.motion_graph(lm.read(data / file))) == expected
+
+
+@pytest.mark.data
+def test_a_hand_raised_is_the_mirror_image_of_the_other_in_another_recording(data):
+    folder = data / "bandai_namco"
+    names = (
+        "raise-up-both-hands_normal_008",
+        "raise-up-left-hand_normal_021",
+        "raise-up-right-hand_normal_039",
+    )
+    graph = lm.motion_graph([lm.read(folder / f"dataset-2_{name}.bvh") for name in names])
+    assert [state.symmetric for state in graph.states if len({v.recording for v in state.visits}) == 3] == [
+        True
+    ]
+    gone = [path for path in graph.paths if {visit.recording for visit in path.visits} & {1, 2}]
+    left, right = gone
+    assert (left.mirror, right.mirror) == (right.name, left.name)
+    assert left.reversible
+    assert [visit.recording for visit in (*left.visits, *right.visits)] == [1, 2]
+
+
+@pytest.mark.data
+def test_movements_of_different_size_keep_their_graphs_side_by_side(data):
+    walk, jacks = (lm.read(data / "cmu_bvh" / name) for name in ("cmu_12_01_walk.bvh", "jumping_jacks.bvh"))
+    assert written(lm.motion_graph([walk, jacks])) == "A, A*, X̄, Ȳ; aa* →, (aa*)* →, x̄y ↔"

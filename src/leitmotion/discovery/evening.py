@@ -15,9 +15,7 @@ from leitmotion.similarity import double_metric
 
 SAMPLED = 500  # moments that are compared
 ROUNDS = 4
-LARGEST = np.radians(
-    16.0
-)  # between a link and the image of its partner; what differs by more is the posture's
+LARGEST = np.radians(16.0)  # between a link and the image of its partner; more is the posture's
 SHARE = 75.0  # percentile of the way that has to come back
 EVEN = 0.6  # of what it was, to which the difference sinks where it was the suit's
 
@@ -42,11 +40,14 @@ def matched_bias(chain: FeatureSequence) -> SideBias | None:
     tried: list[tuple[SideBias, float]] = []
     for _ in range(ROUNDS + 1):
         even = without_bias(sample, bias)
-        apart = np.nan_to_num(double_metric(even).mirror, nan=np.inf)
+        apart = np.nan_to_num(double_metric(even).mirror, nan=1.0)
         tried.append((bias, float(np.percentile(apart.min(axis=1)[along], SHARE))))
         bias = bias.replace(turns=multiply(bias.turns, _halves(even, apart.argmin(axis=1), along)))
     (_, before), (last, after) = tried[0], tried[-1]
-    return last if after < EVEN**2 * before else None
+    if not after < EVEN**2 * before:
+        return None
+    angles = 4.0 * np.arccos(np.clip(np.abs(last.turns[:, 0]), 0.0, 1.0))  # a turn is half of what differs
+    return last.replace(angles=angles)
 
 
 def _along(sample: FeatureSequence) -> np.ndarray:
@@ -64,7 +65,9 @@ def _halves(chain: FeatureSequence, match: np.ndarray, along: np.ndarray) -> np.
     turn = multiply(conjugate(own[along]), other[match[along]])
     turn = turn * np.where(turn[..., :1] < 0, -1.0, 1.0)
     vectors = 2.0 * turn[..., 1:] * _scale(turn[..., :1])
-    middle = np.nan_to_num(np.nanmedian(vectors, axis=0))
+    middle = np.zeros(vectors.shape[1:])
+    seen = np.isfinite(vectors).all(axis=2).any(axis=0)
+    middle[seen] = np.nanmedian(vectors[:, seen], axis=0)
     middle[np.linalg.norm(middle, axis=1) > LARGEST] = 0.0
     return from_rotation_vector(middle / 2.0)
 

@@ -75,6 +75,7 @@ def build_graph(
         {
             "alike_deg": round(float(np.degrees(drawn.alike)), 2),
             "half_alike_deg": round(float(np.degrees(moments.half)), 2),
+            "evened_by_deg": [round(float(np.degrees(angle)), 2) for angle in moments.evened],
             "lopsided_by_deg": round(float(np.degrees(floor)), 2),
             "moments_per_s": round(moments.rate, 3),
         },

@@ -40,14 +40,22 @@ class Moments(NamedTuple):
     """Moments a second."""
     half: float
     """The angle at which two moments are half alike."""
+    evened: tuple[float, ...]
+    """Of each recording the largest angle between a link and the image of its partner that was taken out, radians."""
 
 
 def moments_of(chains: Sequence[FeatureSequence], *, weights: np.ndarray | None = None) -> Moments:
     """Smooth kinematic chains, and compare every moment with every other and with its mirror image."""
     rate = min(RATE, *(chain.rate for chain in chains))
     seconds = sum(len(chain) / chain.rate for chain in chains)
-    rate = min(rate, MOST / seconds) if seconds * rate > MOST else rate
-    pieces = [_evened(resample(smoothed(chain), rate)) for chain in chains]
+    rate = min(rate, MOST / max(seconds, 1.0))
+    pieces = [resample(smoothed(chain), rate) for chain in chains]
+    biases = [matched_bias(piece) for piece in pieces]
+    pieces = [
+        piece if bias is None else without_bias(piece, bias)
+        for piece, bias in zip(pieces, biases, strict=True)
+    ]
+    evened = tuple(0.0 if bias is None else float(bias.angles.max()) for bias in biases)
     values = np.concatenate([piece.values for piece in pieces])
     turned = values.reshape(len(values), -1, 4)
     whole = pieces[0].replace(values=(turned * towards_mean(turned)).reshape(len(values), -1))
@@ -55,7 +63,7 @@ def moments_of(chains: Sequence[FeatureSequence], *, weights: np.ndarray | None 
     starts = np.concatenate(([0], np.cumsum([len(piece) for piece in pieces])))
     own, mirror = (_angle(each) for each in (double.own, double.mirror))
     speed = np.concatenate([_speed(own[a:b, a:b], rate) for a, b in pairwise(starts)])
-    return Moments(own, mirror, speed, starts, rate, double.half_angle)
+    return Moments(own, mirror, speed, starts, rate, double.half_angle, evened)
 
 
 def smoothed(chain: FeatureSequence) -> FeatureSequence:
@@ -70,11 +78,6 @@ def smoothed(chain: FeatureSequence) -> FeatureSequence:
     if cutoff < 0.44 * chain.rate:
         values = normalize(smooth(flat, cutoff, chain.rate).reshape(values.shape))
     return chain.replace(values=np.where(seen[..., None], values, np.nan).reshape(len(chain), -1))
-
-
-def _evened(chain: FeatureSequence) -> FeatureSequence:
-    bias = matched_bias(chain)
-    return chain if bias is None else without_bias(chain, bias)
 
 
 def cutoff_of(values: np.ndarray, rate: float) -> float:
