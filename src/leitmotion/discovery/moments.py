@@ -18,7 +18,7 @@ from leitmotion.similarity import double_metric
 
 RATE = 30.0
 """Moments a second."""
-MOST = 6000
+MOST = 4000
 """Moments in all recordings together."""
 CUTOFFS = (1.5, 6.0)
 """Hertz between which the cutoff is chosen."""

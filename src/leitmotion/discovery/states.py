@@ -20,7 +20,7 @@ RETURNED = (
 ALIKE = 0.5  # of the way to another posture, within which a halt is the same
 ROUND = 0.4  # of how far a cycle leads that halts nowhere
 APART = 1.5  # times what is half alike, from which on two postures are apart
-LOOSEST = np.radians(20.0)
+LOOSEST = np.radians(16.0)  # beyond which postures are not alike, as of likeness in Z
 ASKEW = np.radians(8.0)  # lopsidedness that may be how a suit sits
 
 
