@@ -11,7 +11,7 @@ from leitmotion.motion import DataError
 from leitmotion.symmetry import motifs_in
 from leitmotion.view import Mirroring
 from leitmotion.view.graph_words import no_graph
-from leitmotion.view.symmetry_words import no_symmetry
+from leitmotion.view.symmetry_answer import no_symmetry
 
 
 def mirroring_of(

@@ -8,7 +8,7 @@ from urllib.parse import parse_qs
 import numpy as np
 import pytest
 
-from leitmotion.view.symmetry_words import NOT_COMPUTED
+from leitmotion.view.symmetry_answer import NOT_COMPUTED
 
 pytestmark = pytest.mark.browser
 
@@ -71,8 +71,8 @@ def test_m_opens_it_and_the_address_keeps_it(open_page: Open, symmetric_page: Pa
     assert state(page)["view"] == "repeats"
     page.keyboard.press("m")
     assert state(page)["view"] == "symmetry"
-    assert page.locator("h1").inner_text() == "One way of moving alternates sides"
-    assert page.title().startswith("One way of moving alternates sides")
+    assert page.locator("h1").inner_text() == "Both sides move together in two stretches"
+    assert page.title().startswith("Both sides move together in two stretches")
     assert page.locator("#matrix-title").inner_text() == "Like itself, like its mirror image"
     assert page.locator("#tab-symmetry").get_attribute("aria-pressed") == "true"
     assert page.locator("#tab-repeats").get_attribute("aria-pressed") == "false"
@@ -408,7 +408,7 @@ def test_on_paper(open_page: Open, symmetric_page: Path) -> None:
     state(page)
     assert page.locator("#forms").is_hidden()
     assert page.locator(".more-lanes").is_hidden()
-    assert page.locator("h1").inner_text() == "One way of moving alternates sides"
+    assert page.locator("h1").inner_text() == "Both sides move together in two stretches"
     assert page.locator(".motifs .lane:visible").count() == 4
 
 

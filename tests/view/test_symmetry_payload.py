@@ -101,7 +101,7 @@ def test_lanes_hold_every_span_with_the_pattern_around_it(
     assert not lanes["reflected_path_repetition"]["chief"]
     assert lanes["reflected_path_repetition"]["spans"][0]["partner"][0] > 30
     assert all(1 <= lane["rows"] <= ROWS for lane in lanes.values())
-    assert held["title"] == "One way of moving alternates sides"
+    assert held["title"] == "Both sides move together in two stretches"
     assert held["strikes"] == [30.0, 31.0]
 
 

@@ -184,11 +184,11 @@ def symmetry_result(found: Symmetry, made: Mirrored, graph: MotionGraph) -> Docu
 
 def _show(console: Console, found: Symmetry, result: Document) -> None:
     from leitmotion.view.counting import clock
-    from leitmotion.view.symmetry_words import LOOKED_FOR, symmetry_lead, symmetry_title
+    from leitmotion.view.symmetry_answer import LOOKED_FOR, symmetry_lead, symmetry_title
 
     in_no_pattern = [""] * len(found.spans)
-    console.print(f"{symmetry_title(found.spans, in_no_pattern)}.", style="bold")
-    console.print("".join(str(piece) for piece in symmetry_lead(found.spans, in_no_pattern)))
+    console.print(f"{symmetry_title(found, in_no_pattern)}.", style="bold")
+    console.print("".join(str(piece) for piece in symmetry_lead(found, in_no_pattern)))
     if found.spans:
         console.print()
         headings = ("from and to", "", "motif", ">confidence", "again at")

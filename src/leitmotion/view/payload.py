@@ -27,8 +27,8 @@ from leitmotion.view.distances import distance_cap, how_told
 from leitmotion.view.graph_payload import graph_payload
 from leitmotion.view.graph_words import NOT_COMPUTED as NO_GRAPH
 from leitmotion.view.lesson import step_payload
+from leitmotion.view.symmetry_answer import NOT_COMPUTED
 from leitmotion.view.symmetry_payload import Mirroring, symmetry_payload
-from leitmotion.view.symmetry_words import NOT_COMPUTED
 
 VERSION = 1
 DRAWN_RATE = 30.0

@@ -24,8 +24,8 @@ from leitmotion.motion import ParameterError, Segmentation
 from leitmotion.similarity import SimilarityMatrix
 from leitmotion.view.graph_words import NOT_COMPUTED as NO_GRAPH
 from leitmotion.view.payload import page_payload
+from leitmotion.view.symmetry_answer import NOT_COMPUTED
 from leitmotion.view.symmetry_payload import Mirroring
-from leitmotion.view.symmetry_words import NOT_COMPUTED
 
 SCRIPTS = (
     "data", "theme", "state", "words", "views", "space", "mirror", "figure", "stage", "differences", "cameras",

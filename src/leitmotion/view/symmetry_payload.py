@@ -20,19 +20,16 @@ from leitmotion.features import mirror_distance, posture
 from leitmotion.similarity import DoubleMetric, axis_speed, still_spans
 from leitmotion.view.arrays import array
 from leitmotion.view.cells import shrunk_likeness
+from leitmotion.view.symmetry_answer import LOOKED_FOR, empty_symmetry, symmetry_lead, symmetry_title
 from leitmotion.view.symmetry_fit import fit
 from leitmotion.view.symmetry_words import (
     CHIEF,
-    LOOKED_FOR,
     TOLD,
-    empty_symmetry,
     half_alike,
     lane_words,
     span_name,
     span_sentence,
     span_tip,
-    symmetry_lead,
-    symmetry_title,
 )
 from leitmotion.view.words import Lead
 
@@ -82,8 +79,8 @@ def symmetry_payload(
     seen = apart[np.isfinite(apart)]
     index = {role: r for r, role in enumerate(body.roles)}
     return {
-        "title": symmetry_title(found.spans, letters),
-        "lead": _pieces(symmetry_lead(found.spans, letters)),
+        "title": symmetry_title(found, letters),
+        "lead": _pieces(symmetry_lead(found, letters)),
         "empty": empty_symmetry(float(np.median(seen)) * factor if len(seen) else None, unit),
         "looked_for": LOOKED_FOR,
         "half": half_alike(float(np.degrees(distances.half_angle))),

@@ -1,4 +1,4 @@
-"""The sentences of the Symmetry view: what a motif is called, what it looks like in the matrix, what was found.
+"""The sentences of the Symmetry view: what a motif is called, what it looks like in the matrix.
 
 Conventions
 -----------
@@ -15,10 +15,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from leitmotion.body import Body
 from leitmotion.discovery import SymmetrySpan
-from leitmotion.view.counting import clock, count_word, plural
-from leitmotion.view.words import Chip, Lead, listed
+from leitmotion.view.counting import clock, plural
 
 
 class Motif(NamedTuple):
@@ -127,162 +125,6 @@ FITS = {
     "state_repetition": "itself, then",
 }
 """What is laid under the figure while such a stretch plays."""
-ALTERNATE = ("anti_phase", "anti_palindrome")
-TOGETHER = ("symmetric_palindrome", "symmetric_cycle", "symmetric_path")
-FAVOUR = ("asymmetric_palindrome", "asymmetric_cycle")
-KINDS = {"alternate": ALTERNATE, "together": TOGETHER, "favour": FAVOUR}
-VERBS = {
-    # one pattern, several, and stretches that no pattern holds, one and several
-    "alternate": (
-        " returns as its own mirror image.",
-        " return as their own mirror image.",
-        ("alternates sides", "alternate sides"),
-    ),
-    "together": (
-        " moves both sides together.",
-        " move both sides together.",
-        ("moves both sides together", "move both sides together"),
-    ),
-    "favour": (" favours one side.", " favour one side.", ("favours one side", "favour one side")),
-}
-TRUNK = ("pelvis", "neck", "left_hip", "right_hip", "left_shoulder", "right_shoulder")
-SURE = 0.5  # confidence from which a stretch is more likely right than wrong
-LOOKED_FOR = (
-    "Stretches that are their own mirror image at once, half a cycle later or backwards, and ways and postures that "
-    "come again, as they were or with the sides exchanged."
-)
-NOT_COMPUTED = "The symmetry of this recording was not computed."
-
-
-def symmetry_title(spans: Sequence[SymmetrySpan], letters: Sequence[str]) -> str:
-    """Say what was found, as the heading of the view.
-
-    Parameters
-    ----------
-    spans : sequence of SymmetrySpan
-        What was found. What is more likely wrong than right says nothing here.
-    letters : sequence of str
-        Of the pattern that each lies in; empty where none holds it.
-
-    Returns
-    -------
-    str
-        For example ``"Two ways of moving alternate sides"``.
-
-    Examples
-    --------
-    >>> walk = SymmetrySpan("anti_phase", 0, 90, 0.9, cyclic=True, marks=[0, 30, 60, 90])
-    >>> symmetry_title([walk], ["A"])
-    'One way of moving alternates sides'
-    """
-    ways, loose, stretches = _claims(spans, letters)
-    if loose["alternate"]:
-        return f"The sides alternate{_in_stretches(stretches['alternate'])}"
-    if len(ways["alternate"]) > 1:
-        return f"{count_word(len(ways['alternate'])).capitalize()} ways of moving alternate sides"
-    if ways["alternate"]:
-        return "One way of moving alternates sides"
-    if stretches["together"]:
-        return "Both sides move together"
-    if _mirrored_again(spans):
-        return "Movements come back mirrored"
-    if stretches["favour"]:
-        return "No side mirrors the other"
-    return "No symmetry is clear here" if _moving(spans) else "No symmetry shows here"
-
-
-def symmetry_lead(spans: Sequence[SymmetrySpan], letters: Sequence[str]) -> Lead:
-    """Say in one line which pattern treats the sides how; of what no pattern of its kind tells, in how many stretches.
-
-    Parameters
-    ----------
-    spans : sequence of SymmetrySpan
-        What was found. What is more likely wrong than right says nothing here.
-    letters : sequence of str
-        Of the pattern that each lies in; empty where none holds it.
-
-    Returns
-    -------
-    tuple of str and Chip
-        The pieces of the line, in order.
-    """
-    ways, loose, _ = _claims(spans, letters)
-    pieces: list[str | Chip] = []
-    for kind, (one, several, elsewhere) in VERBS.items():
-        if ways[kind]:
-            pieces += (
-                ([" "] if pieces else []) + listed(ways[kind]) + [one if len(ways[kind]) == 1 else several]
-            )
-        elif loose[kind]:
-            count = loose[kind]
-            told = f"{count_word(count)} {'stretch' if count == 1 else 'stretches'} {elsewhere[count > 1]}."
-            pieces.append((" " if pieces else "") + told[0].upper() + told[1:])
-    again = _mirrored_again(spans)
-    if again and not (ways["alternate"] or loose["alternate"]):
-        come = "One stretch comes" if again == 1 else f"{count_word(again).capitalize()} stretches come"
-        pieces.append(f"{' ' if pieces else ''}{come} again with the sides exchanged.")
-    if pieces:
-        return _joined(pieces)
-    if _moving(spans):
-        return (
-            "No stretch tells clearly how the two sides move together: none is more likely right than wrong.",
-        )
-    return ("No stretch was clear enough to say how the two sides move together.",)
-
-
-def _claims(
-    spans: Sequence[SymmetrySpan], letters: Sequence[str]
-) -> tuple[dict[str, list[str]], dict[str, int], dict[str, int]]:
-    """Under each kind: the letters of patterns, how many stretches no pattern holds, and how many there are in all.
-
-    A pattern is of the motif that has the most of it, weighed by confidence. A stretch counts once, under the first
-    kind that fits it.
-    """
-    weights: dict[str, dict[str, float]] = {}
-    sure: dict[str, list[tuple[SymmetrySpan, str]]] = {kind: [] for kind in KINDS}
-    for span, letter in zip(spans, letters, strict=True):
-        kind = next((kind for kind, held in KINDS.items() if span.motif in held), None)
-        if kind is None:
-            continue
-        if letter:
-            of = weights.setdefault(letter, dict.fromkeys(KINDS, 0.0))
-            of[kind] += span.confidence * (span.stop - span.start)
-        if span.confidence >= SURE:
-            sure[kind].append((span, letter))
-    chief = {letter: max(of, key=lambda kind, of=of: of[kind]) for letter, of in weights.items()}  # type: ignore[misc]
-    ways: dict[str, list[str]] = {}
-    loose: dict[str, int] = {}
-    stretches: dict[str, int] = {}
-    before: list[SymmetrySpan] = []
-    for kind in KINDS:
-        lettered = {letter for _, letter in sure[kind] if letter}
-        ways[kind] = sorted(letter for letter in lettered if chief[letter] == kind)
-        own = [span for span, letter in sure[kind] if letter in ways[kind]]
-        rest = [span for span, letter in sure[kind] if not letter and not _covered(span, before + own)]
-        stretches[kind] = _stretches(own + rest)
-        loose[kind] = stretches[kind] - _stretches(own)
-        before += own + rest
-    return ways, loose, stretches
-
-
-def _mirrored_again(spans: Sequence[SymmetrySpan]) -> int:
-    """How many stretches surely come again as their mirror image, those that overlap counted once."""
-    return _stretches(
-        [span for span in spans if span.confidence >= SURE and span.motif == "reflected_path_repetition"]
-    )
-
-
-def _moving(spans: Sequence[SymmetrySpan]) -> bool:
-    return any(span.motif != "stillness" for span in spans)
-
-
-def _covered(span: SymmetrySpan, others: Sequence[SymmetrySpan]) -> bool:
-    both = [min(span.stop, other.stop) - max(span.start, other.start) for other in others]
-    return 2 * max(both, default=0) > span.stop - span.start
-
-
-def _in_stretches(count: int) -> str:
-    return "" if count == 1 else f" in {count_word(count)} stretches"
 
 
 def span_sentence(span: SymmetrySpan, rate: float) -> tuple[str, str]:
@@ -390,28 +232,6 @@ def span_name(span: SymmetrySpan, rate: float, letter: str, k: int, count: int) 
     return f"{TOLD[span.motif].name}{within}, {k + 1} of {count}, {where}{again}"
 
 
-def no_symmetry(body: Body, why: str) -> str:
-    """Say in a sentence why a recording has no symmetry to show.
-
-    Parameters
-    ----------
-    body : Body
-        The person.
-    why : str
-        What was missed when it was looked for.
-
-    Returns
-    -------
-    str
-        The sentence.
-    """
-    if body.positions.shape[2] == 2:
-        return "Symmetry needs joints in three dimensions; this recording has two."
-    if not set(TRUNK) <= set(body.roles):
-        return "Symmetry needs a body whose trunk and sides are known; here they are not."
-    return f"The symmetry of this recording cannot be told: {why}"
-
-
 def half_alike(degrees: float) -> str:
     """Say what the strength of the colours means.
 
@@ -431,48 +251,3 @@ def half_alike(degrees: float) -> str:
     'half alike at 8° a link'
     """
     return f"half alike at {degrees:.0f}° a link"
-
-
-def empty_symmetry(apart: float | None, unit: str) -> str:
-    """Say that no motif was found, and what the view shows all the same.
-
-    Parameters
-    ----------
-    apart : float or None
-        How far the body is from its own mirror image half of the time, in the unit told, where that is known.
-    unit : str
-        That unit.
-
-    Returns
-    -------
-    str
-        A few plain sentences.
-    """
-    far = (
-        f" Half of the time it is more than {apart:.1f} {unit} from its own mirror image."
-        if apart is not None
-        else ""
-    )
-    return (
-        f"No motif of symmetry was found: no stretch comes back, as it was or mirrored.{far} You can still lay the "
-        "mirror image under the figure, and compare any moment with the mirror image of any other."
-    )
-
-
-def _stretches(spans: Sequence[SymmetrySpan]) -> int:
-    """How many stretches they are, those that overlap counted once."""
-    count, reach = 0, -1
-    for start, stop in sorted((span.start, span.stop) for span in spans):
-        count += start >= reach
-        reach = max(reach, stop)
-    return count
-
-
-def _joined(pieces: Sequence[str | Chip]) -> Lead:
-    joined: list[str | Chip] = []
-    for piece in pieces:
-        if joined and isinstance(piece, str) and isinstance(joined[-1], str):
-            joined[-1] += piece
-        else:
-            joined.append(piece)
-    return tuple(joined)

@@ -121,7 +121,7 @@ def lead(patterns: Patterns, seconds: float, body: Body | None = None) -> Lead:
     rest = len(patterns) - len(shown)
     if rest:
         pieces.append(f" {count_word(rest).capitalize()} more {'recurs' if rest == 1 else 'recur'}.")
-    return tuple(_joined(pieces))
+    return tuple(joined(pieces))
 
 
 def lane_head(pattern: Pattern) -> tuple[str, str]:
@@ -309,17 +309,17 @@ def listed(ids: Sequence[str]) -> list[str | Chip]:
     return pieces
 
 
-def _joined(pieces: Sequence[str | Chip]) -> list[str | Chip]:
+def joined(pieces: Sequence[str | Chip]) -> list[str | Chip]:
     """Join neighbouring texts, so that a piece is a chip or all the words up to the next one."""
-    joined: list[str | Chip] = []
+    made: list[str | Chip] = []
     for piece in pieces:
-        if joined and isinstance(piece, str) and isinstance(joined[-1], str):
-            joined[-1] += piece
+        if made and isinstance(piece, str) and isinstance(made[-1], str):
+            made[-1] += piece
         else:
-            joined.append(piece)
-    if joined and isinstance(joined[-1], str):
-        joined[-1] = joined[-1].rstrip()
-    return joined
+            made.append(piece)
+    if made and isinstance(made[-1], str):
+        made[-1] = made[-1].rstrip()
+    return made
 
 
 def _nothing(seconds: float, body: Body | None) -> str:
