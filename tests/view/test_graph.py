@@ -12,7 +12,7 @@ from leitmotion.body import embody
 from leitmotion.discovery import MotionGraph, Visit
 from leitmotion.features import kinematic_chain, mirrored
 from leitmotion.motion import ParameterError
-from leitmotion.view import plot_graph
+from leitmotion.view import _layout_kernels, plot_graph
 from leitmotion.view.graph_layout import lay_out, name_width, points_of
 from leitmotion.view.graph_moments import posture_of, time_of
 from leitmotion.view.graph_names import pieces_of
@@ -20,6 +20,7 @@ from leitmotion.view.graph_places import CARD
 from leitmotion.view.graph_plan import plan_picture
 from leitmotion.view.stick_figures import figure_shapes
 from leitmotion.view.subspaces import find_subspaces
+from oracles import layout as oracle
 from oracles.performing import GRAPHS, graph_of, perform, starred
 
 HALF = np.divide(CARD, 2)
@@ -236,3 +237,23 @@ def test_recordings_that_are_not_the_graphs_are_refused(racemized):
         plot_graph(graph, [motion, motion])
     with pytest.raises(ParameterError, match=r"was visited until frame .* which has 20"):
         plot_graph(graph, motion[:20])
+
+
+@pytest.mark.parametrize("seed", range(5))
+def test_the_kernels_of_the_layout_tell_what_their_twins_tell(seed):
+    rng = np.random.default_rng(seed)
+    a, b, cards = rng.uniform(-4, 4, (3, 12, 2))
+    assert _layout_kernels.count_crossings(a, b) == oracle.crossings(a, b)
+    assert _layout_kernels.count_passed(a, b, cards, 0.5, 0.65) == oracle.passed(a, b, cards, HALF)
+    curves = np.array([points_of(curve) for curve in rng.uniform(-2, 2, (6, 4, 2))])
+    told = _layout_kernels.crowd(curves[0], curves[1:], 0.34, 0.05, 4, 6)
+    assert told == pytest.approx(oracle.crowd(curves[0], curves[1:], 0.34, 0.05, 4, 6))
+
+
+def test_a_line_along_the_edge_of_a_card_does_not_pass_over_it():
+    cards = np.array([[0.0, 0.0]])
+    for x, over in ((0.5, 0), (0.49, 1)):
+        assert (
+            _layout_kernels.count_passed(np.array([[x, -3.0]]), np.array([[x, 3.0]]), cards, 0.5, 0.65)
+            == over
+        )

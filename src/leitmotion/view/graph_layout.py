@@ -25,12 +25,13 @@ BENDS = (0.0, 0.35, -0.35, 0.55, -0.55, 0.8, -0.8, 1.1, -1.1, 1.5, -1.5, 2.0, -2
 TURNS = np.arange(16) * np.pi / 8  # where a loop may lie
 LOOP, OPEN = 0.7, 0.36  # how far a loop reaches beyond its card, half the angle at which it opens
 EDGE = 0.04  # around all
-NEAR = 0.34  # two curves closer than this are read as one
+NEAR, TOUCH = 0.34, 0.03  # two curves closer than this are read as one, or cross
 SAMPLES = np.linspace(0, 1, 41)
+MIDDLE = 20  # of them
 ALONG = (0.5, 0.42, 0.58, 0.34, 0.66, 0.26, 0.74, 0.18, 0.82)
 LETTER, LINE = 0.15, 0.26  # width of a letter and height of a name
 SLIM = 0.6  # of that: a star, a bracket, a subscript
-OVER_A_CARD, ON_A_CURVE, ACROSS, CROWDED, TOGETHER, BEND, AWAY = 15.0, 1.5, 3.0, 1.0, 0.6, 1.0, 0.6
+OVER_A_CARD, ON_A_CURVE, ACROSS, CROWDED, TOGETHER, BEND, AWAY = 15.0, 6.0, 3.0, 1.0, 0.6, 1.0, 0.6
 
 
 class Layout(NamedTuple):
@@ -107,6 +108,7 @@ class _Drawing:
         self.places = places
         self.cards = np.array(list(places.values())).reshape(-1, 2)
         self.curves: dict[str, np.ndarray] = {}
+        self.laid: dict[str, np.ndarray] = {}
 
     def in_order(self) -> Iterator[Path]:
         """Give one of each path and its image: symmetric ones first, then short ones, loops last."""
@@ -126,6 +128,7 @@ class _Drawing:
         best = min(self._choices(path), key=lambda choice: choice[0] + self._trouble(path, choice[1]))
         for name, curve in self._with_image(path, best[1]).items():
             self.curves[name] = curve
+            self.laid[name] = points_of(curve)
 
     def _choices(self, path: Path) -> Iterator[tuple[float, np.ndarray]]:
         """Give curves with what each costs by itself."""
@@ -183,30 +186,26 @@ class _Drawing:
 
     def _trouble(self, path: Path, curve: np.ndarray) -> float:
         """How much a curve and its image hide, cross and crowd."""
+        from leitmotion.view._layout_kernels import crowd
+
         trouble = 0.0
-        laid = [points_of(other) for other in self.curves.values()]
-        fresh = self._with_image(path, curve)
-        for name, each in fresh.items():
-            points = points_of(each)
-            ends = [self.places[self.paths[name].source], self.places[self.paths[name].target]]
-            others = np.array([card for card in self.cards if not (card == ends).all(axis=1).any()])
-            if len(others):
-                over = (np.abs(points[:, None] - others) < HALF + AIR).all(axis=2)
-                trouble += OVER_A_CARD * over.any(axis=0).sum() + over.sum() / len(points)
-            beside = laid + [points_of(other) for key, other in fresh.items() if key != name]
-            tips = [tip for other in beside for tip in (other[0], other[-1])]
-            trouble += TOGETHER * sum(
-                bool(np.hypot(*(tip - end)) < AIR) for tip in tips for end in (points[0], points[-1])
-            )
-            middle = points[len(points) // 2]
+        fresh = {name: points_of(each) for name, each in self._with_image(path, curve).items()}
+        for name, points in fresh.items():
+            own = [self.places[self.paths[name].source], self.places[self.paths[name].target]]
+            others = np.array([card for card in self.places.values() if card not in own]).reshape(-1, 2)
+            over = (np.abs(points[:, None] - others) < HALF + AIR).all(axis=2)
+            trouble += OVER_A_CARD * over.any(axis=0).sum() + over.sum() / len(points)
             trouble += CROWDED * sum(
-                _names_touch(name, middle, other, points_of(there)[len(SAMPLES) // 2])
-                for other, there in self.curves.items()
+                _names_touch(name, points[MIDDLE], other, there[MIDDLE]) for other, there in self.laid.items()
             )
-            for other in beside:
-                apart = np.hypot(*np.moveaxis(points[:, None] - other[None], 2, 0)).min(axis=1)
-                close = (apart < NEAR)[4:-4].mean()
-                trouble += ON_A_CURVE * close * 4 + (ACROSS if apart[6:-6].min() < 0.03 else 0.0)
+            beside = np.array(
+                [*self.laid.values(), *(each for other, each in fresh.items() if other != name)]
+            )
+            if len(beside):
+                tips = beside[:, [0, -1]].reshape(-1, 1, 2) - points[[0, -1]]
+                trouble += TOGETHER * (np.hypot(*tips.T) < AIR).sum()
+                close, touched = crowd(points, beside, NEAR, TOUCH, 4, 6)
+                trouble += ON_A_CURVE * close + ACROSS * touched
         return float(trouble) / len(fresh)
 
     def name_paths(self) -> dict[str, tuple[float, float]]:
@@ -233,8 +232,8 @@ class _Drawing:
         card = (np.abs(self.cards - at) < half + HALF).all(axis=1).sum()
         names = sum(_names_touch(name, at, other, there) for other, there in labels.items())
         curves = sum(
-            bool((np.abs(points_of(curve) - at) < half + 0.03).all(axis=1).any())
-            for other, curve in self.curves.items()
+            bool((np.abs(points - at) < half + 0.03).all(axis=1).any())
+            for other, points in self.laid.items()
             if other != name
         )
         return float(10 * card + 10 * names + 2 * curves)

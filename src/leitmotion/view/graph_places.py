@@ -10,7 +10,8 @@ y runs down. Rows and columns are a grid on which no two cards touch.
 from __future__ import annotations
 
 import itertools
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
+from functools import partial
 
 import numpy as np
 
@@ -25,6 +26,7 @@ EVERY_ORDER = 6  # symmetric states of which every order is tried
 CROSSING, OVER_A_CARD, SHARP, LATE = 6.0, 15.0, 2.0, 0.02  # how bad, beside squared lengths of paths
 CLOSE = 0.93  # cosine of the angle under which two paths at one state are hard to tell apart
 STARTS = 8  # placings that are improved, of which the best is taken
+ENOUGH, MOST = 4000, 8000  # placings that are weighed before no other start is made, before the search ends
 
 Orbit = tuple[str, ...]  # a state and its mirror image, where the graph holds it
 Slot = tuple[int, float]  # column and row
@@ -59,14 +61,14 @@ def place_states(graph: MotionGraph) -> dict[str, tuple[float, float]]:
     if axis and len(sides) < rows:
         free += [(1, row + 0.5) for row in range(rows - 1)]
     found = []
-    for attempt in range(STARTS):
+    for attempt in range(STARTS if len(sides) > 1 else 1):
         order = np.random.default_rng(attempt).permutation(len(sides)) if attempt else range(len(sides))
         slots: dict[Orbit, Slot] = dict(on_axis)
         for k in order:
             fitting = [slot for slot in free if _fits(slot, slots)]
             slots[sides[k]] = min(fitting, key=lambda slot: price({**slots, sides[k]: slot}))
         found.append(_improved(slots, free, price))
-        if len(sides) < 2:
+        if price.asked > ENOUGH:
             break
     return price.places(min(found, key=lambda each: each[0])[1])
 
@@ -74,13 +76,19 @@ def place_states(graph: MotionGraph) -> dict[str, tuple[float, float]]:
 def _improved(
     slots: dict[Orbit, Slot], free: Sequence[Slot], price: _Price
 ) -> tuple[float, dict[Orbit, Slot]]:
-    """Take the best move as long as there is one that helps."""
-    best = price(slots)
-    while True:
-        moved = min(((price(other), k, other) for k, other in enumerate(_moves(slots, free))), default=None)
-        if moved is None or moved[0] > best - 1e-9:
-            return best, slots
-        best, _, slots = moved
+    """Exchange states and move them elsewhere as long as that helps."""
+    best, before = price(slots), np.inf
+    while best < before - 1e-9 and price.asked < MOST:
+        before = best
+        exchanges = [
+            partial(_exchanged, one=one, other=other) for one, other in itertools.combinations(slots, 2)
+        ]
+        moves = [partial(_moved, orbit=orbit, slot=slot) for orbit in slots for slot in free]
+        for move in exchanges + moves:
+            tried = move(slots)
+            if tried is not None and (cost := price(tried)) < best - 1e-9:
+                best, slots = cost, tried
+    return best, slots
 
 
 def _side_orbits(graph: MotionGraph) -> list[Orbit]:
@@ -108,15 +116,16 @@ def _fits(slot: Slot, slots: dict[Orbit, Slot]) -> bool:
     return all(column != slot[0] or abs(row - slot[1]) >= 1 for column, row in slots.values())
 
 
-def _moves(slots: dict[Orbit, Slot], free: Sequence[Slot]) -> Iterator[dict[Orbit, Slot]]:
-    """Exchange two states, or move an asymmetric one elsewhere."""
-    for a, b in itertools.combinations(slots, 2):
-        if (slots[a][0] == 0) == (slots[b][0] == 0):
-            yield {**slots, a: slots[b], b: slots[a]}
-    for orbit, (column, _) in slots.items():
-        others = {name: slot for name, slot in slots.items() if name != orbit}
-        if column:
-            yield from ({**slots, orbit: slot} for slot in free if _fits(slot, others))
+def _exchanged(slots: dict[Orbit, Slot], one: Orbit, other: Orbit) -> dict[Orbit, Slot] | None:
+    """Exchange two states of the axis, or two beside it."""
+    here, there = slots[one], slots[other]
+    return {**slots, one: there, other: here} if (here[0] == 0) == (there[0] == 0) else None
+
+
+def _moved(slots: dict[Orbit, Slot], orbit: Orbit, slot: Slot) -> dict[Orbit, Slot] | None:
+    """Move an asymmetric state elsewhere, where there is room."""
+    others = {name: taken for name, taken in slots.items() if name != orbit}
+    return {**slots, orbit: slot} if slots[orbit][0] and _fits(slot, others) else None
 
 
 class _Price:
@@ -124,8 +133,15 @@ class _Price:
 
     def __init__(self, graph: MotionGraph, has_axis: bool) -> None:
         self.first = FIRST_COLUMN[has_axis]
+        mirror = {state.name: state.mirror for state in graph.states}
         ends = {tuple(sorted((path.source, path.target))) for path in graph.paths}
-        self.pairs = sorted((a, b) for a, b in ends if a != b)
+        images = {pair: tuple(sorted(mirror[name] for name in pair)) for pair in ends}
+        self.pairs = sorted(  # of a path and its mirror image one
+            pair
+            for pair, image in images.items()
+            if pair[0] != pair[1] and (image not in ends or _stars(pair) <= _stars(image))
+        )
+        self.asked = 0
         ends_at = [
             (k, name, way)
             for k, pair in enumerate(self.pairs)
@@ -147,6 +163,9 @@ class _Price:
         return found
 
     def __call__(self, slots: dict[Orbit, Slot]) -> float:
+        from leitmotion.view._layout_kernels import count_crossings, count_passed
+
+        self.asked += 1
         places = self.places(slots)
         late = sum(
             LATE * row * (1 - self.order[orbit[0]] / len(self.order)) for orbit, (_, row) in slots.items()
@@ -156,30 +175,16 @@ class _Price:
             return late
         starts = np.array([places[self.pairs[k][0]] for k in known])
         ends = np.array([places[self.pairs[k][1]] for k in known])
-        over = int(_passing(starts, ends, np.array(list(places.values()))).sum()) - 2 * len(known)
+        cards = np.array(list(places.values()))
+        over = count_passed(starts, ends, cards, CARD[0] / 2, CARD[1] / 2) - 2 * len(known)
         sharp = 0
         if len(known) == len(self.pairs):
             ways = (ends - starts) / np.hypot(*(ends - starts).T)[:, None]
             one, other, sign = self.meeting.T
             sharp = int(((ways[one] * ways[other]).sum(axis=1) * sign > CLOSE).sum())
         lengths = float(((ends - starts) ** 2).sum())
-        return lengths + CROSSING * _crossings(starts, ends) + OVER_A_CARD * over + SHARP * sharp + late
+        return lengths + CROSSING * count_crossings(starts, ends) + OVER_A_CARD * over + SHARP * sharp + late
 
 
-def _crossings(starts: np.ndarray, ends: np.ndarray) -> int:
-    """Count the pairs of lines that cross within both."""
-
-    def side(a: np.ndarray, b: np.ndarray, c: np.ndarray) -> np.ndarray:
-        (ax, ay), (bx, by), (cx, cy) = (np.moveaxis(each, -1, 0) for each in (a, b, c))
-        return np.asarray(np.sign((bx - ax) * (cy - ay) - (by - ay) * (cx - ax)))
-
-    a, b = starts[:, None], ends[:, None]
-    parted = side(a, b, starts[None]) * side(a, b, ends[None])
-    return int(((parted < 0) & (parted.T < 0)).sum()) // 2
-
-
-def _passing(starts: np.ndarray, ends: np.ndarray, cards: np.ndarray) -> np.ndarray:
-    """Tell which straight lines pass over which cards, their own at both ends among them: (P, N)."""
-    lines = starts[:, None] + np.linspace(0, 1, 24)[:, None] * (ends - starts)[:, None]
-    off = np.abs(lines[:, None] - cards[None, :, None])
-    return np.asarray((off < np.divide(CARD, 2)).all(axis=-1).any(axis=-1))
+def _stars(pair: tuple[str, ...]) -> tuple[int, tuple[str, ...]]:
+    return sum("*" in name for name in pair), pair
