@@ -257,3 +257,20 @@ def test_a_line_along_the_edge_of_a_card_does_not_pass_over_it():
             _layout_kernels.count_passed(np.array([[x, -3.0]]), np.array([[x, 3.0]]), cards, 0.5, 0.65)
             == over
         )
+
+
+def test_a_graph_without_a_state_says_so(racemized):
+    motion, graph = racemized
+    figure = plot_graph(graph.replace(states=(), paths=()), motion)
+    assert [text.get_text() for text in figure.axes[0].texts] == ["no state"]
+
+
+def test_a_posture_that_was_not_seen_is_left_out(racemized):
+    motion, graph = racemized
+    body = embody(motion)
+    positions = body.positions.copy()
+    unseen = {state.name: state.visits for state in graph.states}["X"][0]
+    positions[unseen.start : unseen.stop] = np.nan
+    figure = plot_graph(graph, body.replace(positions=positions))
+    whole = plot_graph(graph, body)
+    assert len(figure.axes[0].collections) == len(whole.axes[0].collections) - 1

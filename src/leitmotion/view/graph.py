@@ -157,6 +157,8 @@ def _check(graph: MotionGraph, given: Sequence[Motion | Trajectories | Body]) ->
 
 def _heading(graph: MotionGraph, width: float) -> list[str]:
     """Write the notation: states, then paths with their arrows, in rows."""
+    if not graph.states:
+        return []
     states = [f"${in_math(state)}$" for state in graph.states]
     paths = [f"${in_math(path)}$ {arrow_of(path)}" for path in graph.paths]
     room = round(width * LETTERS)

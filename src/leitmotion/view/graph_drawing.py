@@ -115,6 +115,8 @@ def draw_graph(
     size = min(SMALL, max(SMALLEST, 11.5 * unit))
     if left < 0 < right:
         axes.axvline(0, color=colours.line, lw=0.6, ls=(0, (4, 3)), zorder=0)
+    if not graph.states:
+        axes.text(0, 0, "no state", ha="center", va="center", fontsize=size, color=colours.ink2)
     for state in graph.states:
         _draw_state(axes, state, layout.places[state.name], cast, pictured[state.name], unit, colours)
     for path in graph.paths:
@@ -144,9 +146,9 @@ def _draw_state(
         x, y + high / 2 - 0.54 * NAME, f"${in_math(state)}$", ha="center", va="center",
         fontsize=min(9.5, max(SMALLEST, 13 * unit)), color=colours.ink, zorder=5,
     )  # fmt: skip
-    if moment is None:
+    shapes = [] if moment is None else cast.shapes(moment)
+    if not shapes:
         return
-    shapes = cast.shapes(moment)
     per_metre = min(ROOM / 2 / cast.half, (high - NAME - 0.1) / (cast.high - cast.low))
     across = [float(end([end(shape.outline[:, 0]) for shape in shapes])) for end in (np.min, np.max)]
     floor = y + high / 2 - NAME - 0.02 + cast.low * per_metre

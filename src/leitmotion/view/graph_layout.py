@@ -281,7 +281,7 @@ def _box(
     curves: dict[str, np.ndarray],
     labels: dict[str, tuple[float, float]],
 ) -> tuple[float, float, float, float]:
-    corners = [np.zeros((1, 2))]
+    corners = [np.outer([-1, 1], HALF) if not places else np.zeros((1, 2))]
     for place in places.values():
         corners.append(np.add(place, np.outer([-1, 1], HALF + EDGE)))
     corners += [points_of(curve) for curve in curves.values()]

@@ -57,7 +57,9 @@ def posture_of(state: State, graph: MotionGraph, chains: Sequence[FeatureSequenc
         return None
     middles = [(visit.recording, (visit.start + visit.stop - 1) // 2) for visit in visits]
     told = np.array([chains[recording].values[frame] for recording, frame in middles])
-    off = np.linalg.norm(np.nan_to_num(told - np.nanmean(told, axis=0)), axis=1)
+    seen = np.isfinite(told).all(axis=1)
+    mean = told[seen].mean(axis=0) if seen.any() else 0.0
+    off = np.where(seen, np.linalg.norm(told - mean, axis=1), np.inf)
     recording, frame = middles[int(off.argmin())]
     return Moment(recording, frame, mirrored)
 
