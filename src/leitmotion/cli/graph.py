@@ -144,16 +144,19 @@ def _show(console: Console, found: MotionGraph) -> None:
             console.print(f"{name}: {line}" if len(found.recordings) > 1 else line)
     console.print()
 
+    labels = {one.name: state_label(one) for one in found.states}
+    labels |= {one.name: path_label(one) for one in found.paths}
     states = [
-        (state_label(one), "state", "", *_visits(one.visits, found), _image(one)) for one in found.states
+        (labels[one.name], "state", "", *_visits(one.visits, found), _image(one, labels))
+        for one in found.states
     ]
     paths = [
         (
-            path_label(one),
+            labels[one.name],
             "path",
             f"{one.source} {'↔' if one.reversible else '→'} {one.target}",
             *_visits(one.visits, found),
-            _image(one),
+            _image(one, labels),
         )
         for one in found.paths
     ]
@@ -170,8 +173,8 @@ def _visits(visits: Sequence[Visit], found: MotionGraph) -> tuple[str, str]:
     return str(len(visits)), each
 
 
-def _image(one: State | Path) -> str:
-    return "itself" if one.mirror == one.name else one.mirror
+def _image(one: State | Path, labels: Mapping[str, str]) -> str:
+    return "itself" if one.mirror == one.name else labels.get(one.mirror, "")
 
 
 def _write(
