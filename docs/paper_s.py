@@ -103,7 +103,7 @@ CASES: dict[str, tuple[Case, Case]] = {
     ),
     "asymmetric_palindrome": (
         Case(KICK, (1.5, 4.2), (0.6, 5.1)),
-        Case("cmu86/86_01.amc", (27.6, 30.6), (28.2, 30.0)),
+        Case("mocap6/13_31.amc", (7.8, 9.9), (8.1, 9.6)),
     ),
     "anti_phase": (
         Case("walking", (0.0, 6.7), (0.0, 6.7)),

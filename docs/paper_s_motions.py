@@ -124,10 +124,8 @@ def _square(axes: Axes, motion: Motion, graph: MotionGraph, side: float) -> None
         for state in graph.states
         for visit in state.visits
     )
-    times = np.array([at for at, _ in visits])
-    for at, letter, (_, name) in zip(
-        times, spread(times, LETTER / side * seconds, seconds), visits, strict=True
-    ):
+    times, apart = np.array([at for at, _ in visits]), LETTER / side * seconds
+    for at, letter, (_, name) in zip(times, spread(times, apart, seconds - apart / 3), visits, strict=True):
         knee, end = seconds * (1 + 0.04 / side), seconds * (1 + 0.1 / side)
         line: dict[str, Any] = {"lw": 0.35, "clip_on": False}
         axes.plot([at, seconds], [at, at], color="white", alpha=0.75, **line)
