@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 import paper_s_motions
-from paper_s_motions import BODY, LIGHT, SMALL, WIDTH, draw_image, inches, new_figure
+from paper_s_motions import BODY, KATA, LIGHT, SMALL, WIDTH, draw_image, inches, new_figure
 
 import leitmotion as lm
 from leitmotion.body import Body, embody
@@ -29,7 +29,6 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 CMU = "cmu_amc/cmu_amc_pack.tar.xz"
-KATA = "cmu_amc/135_06-martialArts.amc"
 KICK = "one side kick"
 BASE, FIGURES_HIGH = 2.7, 0.56  # inches: a triangle's identity axis, the postures beneath it
 SHOWN = 7  # postures beneath a triangle

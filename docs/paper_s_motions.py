@@ -1,4 +1,4 @@
-"""Figures 64 to 70 of paper S, remade: the worked motions, each as Z/Z* with its states and as a motion graph.
+"""Figures 64 to 71 of paper S, remade: the worked motions as Z/Z* with their states and as motion graphs, and strikes.
 
 Composed motions vary as those of the benchmarks do, but for short dwells; the real ones stand beside what they do not
 show.
@@ -18,6 +18,7 @@ from leitmotion.datasets import Variation, compose_motif
 from leitmotion.discovery import MotionGraph
 from leitmotion.features import kinematic_chain
 from leitmotion.motion import Motion
+from leitmotion.similarity import axis_speed
 from leitmotion.view.graph_drawing import POSTURES, draw_cell, draw_graph, gather
 from leitmotion.view.graph_layout import lay_out
 from leitmotion.view.graph_moments import posture_of, time_of
@@ -35,6 +36,7 @@ SMALL, BODY = 7.5, 9.0
 SQUARE, BESIDE, WIDTH = 3.15, 0.55, 7.4  # inches: a worked motion's plot, the letters beside it, its figure
 CARD, LEAST_CARD, CELL = 0.62, 0.5, (0.84, 1.06)  # inches: how wide a state is, how large the cell of a path
 LINE, LETTER = 0.2, 0.115  # inches: a row of the notation, a letter beside the plot
+KATA, NEAR = "cmu_amc/135_06-martialArts.amc", 0.5  # seconds to either side of a strike
 VARIED = Variation(dwell_s=(0.0, 0.3))
 MOTIONS = {
     "s-64-butterfly": "butterfly",
@@ -104,6 +106,44 @@ def draw_worked(motion: Motion, graph: MotionGraph) -> Figure:
     return figure
 
 
+def kata() -> Figure:
+    """Figure 71: a karate form, its strikes, and three of them near at hand."""
+    motion = lm.read(locate(KATA))
+    return draw_strikes(motion, lm.find_symmetry(motion).strikes / motion.rate)
+
+
+def draw_strikes(motion: Motion, strikes: np.ndarray) -> Figure:
+    """Draw Z and Z* of a motion, its strikes (N,) in seconds, its speed, and the three strikes that come fastest."""
+    double = lm.compare_with_mirror(motion).distances
+    seconds, image = len(double) / double.rate, symmetry_image(double)
+    figure = new_figure(WIDTH, SQUARE + LINE + 0.05)
+    square = figure.add_axes(inches((0.05, 0.05, SQUARE, SQUARE), figure))
+    draw_image(square, image, (0, seconds, seconds, 0))
+    square.plot(strikes, strikes, "o", ms=3.0, color="white", mec=BLACK, mew=0.5)
+    square.set_title(f"0 to {seconds:.0f} s", loc="left", fontsize=SMALL, color=LIGHT.ink2, pad=3)
+    left = SQUARE + 0.3
+    room = WIDTH - left - 0.05
+    curve = figure.add_axes(inches((left, 1.85, room, 1.2), figure))
+    speed = np.degrees(axis_speed(double))
+    time = (np.arange(len(double)) + 0.5) / double.rate
+    curve.fill_between(time, speed, color=LIGHT.ink2, alpha=0.25, lw=0)
+    curve.plot(strikes, np.full(len(strikes), -0.05 * speed.max()), "^", ms=4, color=LIGHT.ink, clip_on=False)
+    curve.set(xlim=(0, seconds), ylim=(0, None), xticks=[], yticks=[])
+    curve.spines[["top", "left", "right"]].set_visible(False)
+    curve.set_title(
+        "how thin the identity axis is; strikes", loc="left", fontsize=SMALL, color=LIGHT.ink2, pad=3
+    )
+    fastest = sorted(strikes, key=lambda at: -speed[max(0, int((at - 0.2) * double.rate)) :][:6].max())[:3]
+    side = (room - 0.2) / 3
+    for k, at in enumerate(sorted(fastest)):
+        axes = figure.add_axes(inches((left + k * (side + 0.1), 0.25, side, side), figure))
+        draw_image(axes, image, (0, seconds, seconds, 0))
+        axes.images[0].set_interpolation("bilinear")
+        axes.set(xlim=(at - NEAR, at + NEAR), ylim=(at + NEAR, at - NEAR))
+        axes.set_title(f"{at:.1f} s", loc="left", fontsize=SMALL, color=LIGHT.ink2, pad=3)
+    return figure
+
+
 def _heading(graph: MotionGraph, room: float) -> list[str]:
     states = [f"${in_math(state)}$" for state in graph.states]
     paths = [f"${in_math(path)}$ {arrow_of(path)}" for path in graph.paths]
@@ -163,4 +203,6 @@ def new_figure(width: float, height: float) -> Figure:
     return Figure(figsize=(width, height), facecolor=LIGHT.surface)
 
 
-FIGURES: dict[str, Any] = {figure: partial(worked, name) for figure, name in (MOTIONS | RECORDINGS).items()}
+FIGURES: dict[str, Any] = {
+    figure: partial(worked, name) for figure, name in (MOTIONS | RECORDINGS).items()
+} | {"s-71-kata": kata}

@@ -100,6 +100,18 @@ def test_a_worked_motion_shows_its_notation_and_visits(motions):
     assert all(axes.get_position().y0 * high + 1e-6 >= 0 for axes in figure.axes)
 
 
+def test_strikes_are_marked_and_the_fastest_cut_out(motions):
+    motion = compose_motif("jumping jacks", seed=0, rate=60).motion
+    strikes = np.array([1.0, 2.0, 3.5, 5.0])
+    square, curve, *cuts = motions.draw_strikes(motion, strikes).axes
+    assert square.lines[0].get_xdata() == pytest.approx(strikes)
+    assert curve.lines[0].get_xdata() == pytest.approx(strikes)
+    middles = [float(np.mean(cut.get_xlim())) for cut in cuts]
+    assert len(middles) == 3
+    assert middles == sorted(middles)
+    assert all(np.isclose(strikes, middle).any() for middle in middles)
+
+
 def test_letters_are_spread_and_stay_in_order(motions):
     at = np.array([0.0, 0.1, 0.15, 5.0, 9.9, 10.0])
     spread = motions.spread(at, 0.5, 10.0)
