@@ -27,12 +27,9 @@ PARTING = (
     0.12,
     0.3,
 )  # share of a movement that is antisymmetric: symmetric up to one, asymmetric from the other
-ALTERNATING = 0.35, 0.6  # one side moves, both alternate
+ALTERNATING = 0.45, 0.6  # one side moves, both alternate
 POSTURES = 0.93, 0.98  # share of postures that are alike to their mirror images: symmetric from the other on
-LASTING = (
-    np.radians(10.0),
-    np.radians(16.0),
-)  # mean posture and mirror image: symmetric up to one, not from the other
+LASTING = np.radians(16.0), np.radians(22.0)  # of the mean posture: symmetric up to one, not from the other
 LEAST_CONFIDENCE = 0.1
 IN_GENERAL = 0.9  # of the confidence of what is told more fully, that what it implies has at most
 LESS_SPECIAL = 0.2  # of the confidence of an anti-palindrome, that being anti-phase besides says less

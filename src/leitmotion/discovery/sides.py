@@ -20,7 +20,7 @@ import numpy as np
 
 from leitmotion.discovery.labour import share_work
 
-LARGEST = np.radians(10.0)  # of a mean link, by which both sides may differ for long and be alike
+LARGEST = np.radians(12.0)  # of a mean link, by which both sides may differ for long and be alike
 LEFT_OVER = np.radians(
     5.0
 )  # that no posture may come nearer to a mirror image: noise, and the sides of a person
@@ -97,7 +97,7 @@ def without_lasting(
     Returns
     -------
     (K, K) float32
-        Angles in D* without the mean antisymmetric part, of which no more than 10 degrees of a mean link are taken out,
+        Angles in D* without the mean antisymmetric part, of which no more than 12 degrees of a mean link are taken out,
         and without what is left at least between any posture and a mirror image. Of both means the one that makes a
         pair of postures more alike counts.
     """
