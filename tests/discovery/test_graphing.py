@@ -7,14 +7,16 @@ import numpy as np
 import pytest
 
 import leitmotion as lm
-from leitmotion.datasets import MOTIONS, compose_motif
+from leitmotion.datasets import MOTIONS, Action, compose, compose_motif
 from leitmotion.discovery import build_graph, notation, performed, racemized
+from leitmotion.discovery.evening import matched_bias
 from leitmotion.discovery.racemizing import starred
 from leitmotion.evaluation import GraphPath, GraphShape, GraphState, same_graph
-from leitmotion.features import kinematic_chain, mirrored
+from leitmotion.features import kinematic_chain, mirrored, without_bias
 from leitmotion.features.resampling import resample
 from leitmotion.io import load, save
-from leitmotion.motion import ParameterError
+from leitmotion.motion import ParameterError, rotations
+from leitmotion.similarity import double_metric
 from oracles import body as oracle
 from oracles import danced as motifs
 
@@ -161,6 +163,31 @@ def test_nothing_that_moves_has_one_state():
     graph = build_graph([motifs.performed("walking", 0).replace(values=still)])
     assert written(graph) == "X̄"
     assert (graph.states[0].visits[0].start, graph.states[0].visits[0].stop) == (0, 90)
+
+
+def test_different_paths_between_the_same_states_bear_figures():
+    session = compose([Action("arm raise", 2), Action("squat", 2)], seed=0)
+    graph = lm.motion_graph(session.motion)
+    assert written(graph) == "X̄; x̄x₁ ↔, x̄x₂ ↔"
+    assert performed(graph) == "X̄ x̄x₁ x̄x₁ x̄x₂ x̄x₂"
+
+
+def test_a_constant_offset_is_told_from_how_the_body_moves():
+    walk = motifs.performed("walking", 0, noise=0.0, varied=False)
+    assert matched_bias(walk) is None  # nothing to take out
+    values = walk.values.reshape(len(walk), -1, 4).copy()
+    link = walk.names.index("left_femur")
+    turn = rotations.from_rotation_vector(np.radians([[0.0, 9.0, 0.0]]))
+    values[:, link] = rotations.multiply(values[:, link], turn)
+    crooked = walk.replace(values=values.reshape(len(walk), -1))
+    bias = matched_bias(crooked)
+    assert np.degrees(bias.angles[link]) == pytest.approx(9.0, abs=0.5)
+    assert np.degrees(np.delete(bias.angles, [link, walk.names.index("right_femur")]).max()) < 1.0
+    even = without_bias(crooked, bias)
+    assert (
+        double_metric(even).mirror.min(axis=1).max() < 0.2 * double_metric(crooked).mirror.min(axis=1).max()
+    )
+    assert matched_bias(motifs.performed("limping", 0)) is None
 
 
 def test_a_racemized_graph_is_its_own_image_and_stays_so():
