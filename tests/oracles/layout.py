@@ -37,6 +37,6 @@ def crowd(
     close, touched = 0.0, 0
     for other in others:
         apart = np.linalg.norm(points[:, None] - other[None], axis=2).min(axis=1)
-        close += (apart[ends:-ends] < near).mean()
+        close += np.maximum(1 - apart[ends:-ends] / near, 0).mean()
         touched += apart[tips:-tips].min() < touch
     return close, touched

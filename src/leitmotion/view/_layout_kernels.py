@@ -55,22 +55,22 @@ def count_passed(a, b, cards, half_wide, half_high):
 def crowd(points, others, near, touch, ends, tips):
     """Tell how much a curve of points (K, 2) crowds others (L, K, 2).
 
-    Returns the sum over the others of the share of its points, `ends` at both ends apart, that are nearer than `near`
-    to that curve, and how many of them it touches, `tips` at both ends apart.
+    Returns the sum over the others of how near its points are to that curve, `ends` at both ends apart: 1 where they
+    lie upon it, 0 from `near` on; and how many of them it touches, `tips` at both ends apart.
     """
     K = len(points)
     close, touched = 0.0, 0
     for other in range(len(others)):
         if _farther(points, others[other], near):
             continue
-        beside, least = 0, math.inf
+        beside, least = 0.0, math.inf
         for k in range(ends, K - ends):
             apart = math.inf  # squared
             for j in range(K):
                 x, y = points[k, 0] - others[other, j, 0], points[k, 1] - others[other, j, 1]
                 apart = min(apart, x * x + y * y)
             if apart < near * near:
-                beside += 1
+                beside += 1 - math.sqrt(apart) / near
             if tips <= k < K - tips:
                 least = min(least, apart)
         close += beside / (K - 2 * ends)

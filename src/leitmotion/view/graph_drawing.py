@@ -164,7 +164,8 @@ def _draw_path(axes: Axes, path: Path, layout: Layout, unit: float, size: float,
     from matplotlib.path import Path as Outline
 
     curve = layout.curves[path.name]
-    line: dict[str, Any] = {"color": colours.ink, "lw": 0.9 * min(1, 1.6 * unit), "zorder": 3}
+    # Where there is no way round a state, a path passes behind it.
+    line: dict[str, Any] = {"color": colours.ink, "lw": 0.9 * min(1, 1.6 * unit), "zorder": 0.5}
     dashes: dict[str, Any] = {"ls": DOTTED, "capstyle": "round"} if path.reflected else {}
     codes = [Outline.MOVETO, *[Outline.CURVE4] * 3]
     head = min(1.0, 1.7 * unit)

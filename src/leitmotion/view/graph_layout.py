@@ -21,7 +21,7 @@ from leitmotion.view.graph_places import CARD, place_states
 
 HALF = np.divide(CARD, 2)
 AIR = 0.07  # between a card and the point of an arrow
-BENDS = (0.0, 0.35, -0.35, 0.55, -0.55, 0.8, -0.8, 1.1, -1.1, 1.5, -1.5, 2.0, -2.0)
+BENDS = tuple(sign * bend for bend in (0.0, 0.35, 0.55, *np.arange(0.8, 3.3, 0.16)) for sign in (1, -1))
 TURNS = np.arange(16) * np.pi / 8  # where a loop may lie
 LOOP, OPEN = 0.7, 0.36  # how far a loop reaches beyond its card, half the angle at which it opens
 EDGE = 0.04  # around all
@@ -31,7 +31,7 @@ MIDDLE = 20  # of them
 ALONG = (0.5, 0.42, 0.58, 0.34, 0.66, 0.26, 0.74, 0.18, 0.82)
 LETTER, LINE = 0.15, 0.26  # width of a letter and height of a name
 SLIM = 0.6  # of that: a star, a bracket, a subscript
-OVER_A_CARD, ON_A_CURVE, ACROSS, CROWDED, TOGETHER, BEND, AWAY = 15.0, 6.0, 3.0, 1.0, 0.6, 1.0, 0.6
+OVER_A_CARD, ON_A_CURVE, ACROSS, CROWDED, TOGETHER, BEND, AWAY = 15.0, 12.0, 3.0, 1.0, 0.6, 1.0, 0.6
 
 
 class Layout(NamedTuple):
