@@ -142,6 +142,10 @@ def test_a_click_plays_all_times_over_one_another(open_page: Open, kicks_page: P
     assert state(page)["visit"] == 2
     page.keyboard.press("Escape")
     assert state(page)["item"] is None
+    page.locator(".node").first.click()
+    assert state(page)["item"] == "A"
+    page.locator(".graph-field g").first.dispatch_event("click")
+    assert state(page)["item"] == "aa"
 
 
 @pytest.mark.browser
