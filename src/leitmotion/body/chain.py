@@ -26,6 +26,7 @@ from itertools import product
 import numpy as np
 
 from leitmotion.body.rest import LIMBS, Turned, rest_axes
+from leitmotion.body.settling import settled
 from leitmotion.motion import DataError
 from leitmotion.motion.directions import between, from_axes, power
 from leitmotion.motion.errors import in_short
@@ -58,9 +59,10 @@ def chain_rotations(at: Points, turned: Turned | None = None) -> dict[str, np.nd
     at : mapping of str to (T, 3) float
         Positions by role, NaN where unseen.
     turned : Turned, optional
-        How the file turns trunk, head and upper bones. Without it the trunk is told by its line (pelvis to neck) and
-        those of hips and shoulders, the head by the line from the neck alone, the turn of an upper bone about itself by
-        the plane of its limb; of a straight limb it is the shortest way from rest.
+        How the file turns trunk, head and upper bones; what trunk, head and thighs prefer to one side, and the places
+        of joints do not, is taken out (:mod:`leitmotion.body.settling`). Without it the trunk is told by its line
+        (pelvis to neck) and those of hips and shoulders, the head by the line from the neck alone, the turn of an upper
+        bone about itself by the plane of its limb; of a straight limb it is the shortest way from rest.
 
     Returns
     -------
@@ -74,19 +76,20 @@ def chain_rotations(at: Points, turned: Turned | None = None) -> dict[str, np.nd
         When the body is planar, or lacks the pelvis, the neck, the hips or the shoulders.
     """
     _check(at)
-    pelvis, thorax = (_trunk(at, joint) for joint in ("hip", "shoulder"))
-    head = _head(at, thorax) if "head" in at else None
-    if turned is not None:
-        pelvis, thorax, head = turned.pelvis, turned.thorax, turned.head
-    links = {"pelvis": _without_yaw(pelvis)}
-    links |= dict.fromkeys(AXIAL_LINKS[1:4], power(multiply(conjugate(pelvis), thorax), 1 / 3))
-    if head is not None:
-        links |= dict.fromkeys(AXIAL_LINKS[4:], power(multiply(conjugate(thorax), head), 1 / 3))
-    for side, (bone, joints) in product(("left", "right"), LIMBS.items()):
-        if not _on_both(at, joints[1]):
-            continue
-        bends = None if turned is None else turned.bends[f"{side}_{bone}"]
-        links |= _limb(at, side, bone, pelvis if bone == "femur" else thorax, bends)
+    bones = {
+        f"{side}_{bone}": unit(at[f"{side}_{middle}"] - at[f"{side}_{upper}"])
+        for side, (bone, (upper, middle, _)) in product(("left", "right"), LIMBS.items())
+        if _on_both(at, middle)
+    }
+    seen = _seen(at, bones)
+    told = seen if turned is None else settled(turned, seen, bones)
+    links = {"pelvis": _without_yaw(told.pelvis)}
+    links |= dict.fromkeys(AXIAL_LINKS[1:4], power(multiply(conjugate(told.pelvis), told.thorax), 1 / 3))
+    if told.head is not None:
+        links |= dict.fromkeys(AXIAL_LINKS[4:], power(multiply(conjugate(told.thorax), told.head), 1 / 3))
+    for name, bone in bones.items():
+        bearer = told.pelvis if name.endswith("femur") else told.thorax
+        links |= _limb(name, bone, _below(at, name), bearer, told.bends[name])
     return {link: links[link] for link in CHAIN_LINKS if link in links}
 
 
@@ -114,27 +117,44 @@ def _head(at: Points, thorax: np.ndarray) -> np.ndarray:
     return multiply(thorax, between(up, rotate(conjugate(thorax), unit(at["head"] - at["neck"]))))
 
 
+def _seen(at: Points, bones: Points) -> Turned:
+    """How the places of the joints tell that a body is turned."""
+    pelvis, thorax = (_trunk(at, joint) for joint in ("hip", "shoulder"))
+    bends = {}
+    for name, bone in bones.items():
+        bearer = pelvis if name.endswith("femur") else thorax
+        along, bend = rest_axes(*_side_last(name))
+        towards = rotate(bearer, _shortest(along, bend, rotate(conjugate(bearer), bone)))
+        below = _below(at, name)
+        bends[name] = towards if below is None else _plane(bone, below, towards)
+    return Turned(pelvis, thorax, _head(at, thorax) if "head" in at else None, bends)
+
+
+def _below(at: Points, name: str) -> np.ndarray | None:
+    """Which way the bone points that hangs on an upper one."""
+    bone, side = _side_last(name)
+    _, middle, lower = LIMBS[bone]
+    return unit(at[f"{side}_{lower}"] - at[f"{side}_{middle}"]) if _on_both(at, lower) else None
+
+
 def _limb(
-    at: Points, side: str, bone: str, bearer: np.ndarray, bends: np.ndarray | None
+    name: str, bone: np.ndarray, below: np.ndarray | None, bearer: np.ndarray, bends: np.ndarray
 ) -> dict[str, np.ndarray]:
-    upper, middle, lower = (f"{side}_{joint}" for joint in LIMBS[bone])
-    hinged = _on_both(at, LIMBS[bone][2])
-    along, bend = rest_axes(bone, side)
-    seen = rotate(conjugate(bearer), unit(at[middle] - at[upper]))
-    below = rotate(conjugate(bearer), unit(at[lower] - at[middle])) if hinged else None
-    if bends is None:
-        towards = _shortest(along, bend, seen) if below is None else _plane(along, bend, seen, below)
-    else:
-        towards = rotate(conjugate(bearer), bends)
+    along, bend = rest_axes(*_side_last(name))
+    seen, towards = (rotate(conjugate(bearer), each) for each in (bone, bends))
     towards = unit(towards - (towards * seen).sum(axis=-1, keepdims=True) * seen)
     at_rest = from_axes(along, bend, np.cross(along, bend))
     own = multiply(from_axes(seen, towards, np.cross(seen, towards)), conjugate(at_rest))
-    links = {f"{side}_{bone}": own}
+    links = {name: own}
     if below is not None:
-        links[f"{side}_{'tibia' if bone == 'femur' else 'radius'}"] = between(
-            along, rotate(conjugate(own), below)
-        )
+        hinge = name.replace("femur", "tibia").replace("humerus", "radius")
+        links[hinge] = between(along, rotate(conjugate(multiply(bearer, own)), below))
     return links
+
+
+def _side_last(name: str) -> tuple[str, str]:
+    side, _, bone = name.partition("_")
+    return bone, side
 
 
 def _on_both(at: Points, joint: str) -> bool:
@@ -147,10 +167,10 @@ def _shortest(along: np.ndarray, bend: np.ndarray, seen: np.ndarray) -> np.ndarr
     return nearness * rotate(between(along, seen), np.broadcast_to(bend, seen.shape))
 
 
-def _plane(along: np.ndarray, bend: np.ndarray, seen: np.ndarray, below: np.ndarray) -> np.ndarray:
+def _plane(bone: np.ndarray, below: np.ndarray, shortest: np.ndarray) -> np.ndarray:
     """Which way the lower bone is bent; of a straight limb the shortest way decides, and there is no step between."""
-    bent = below - (below * seen).sum(axis=-1, keepdims=True) * seen
-    return bent + BENT * _shortest(along, bend, seen)
+    bent: np.ndarray = below - (below * bone).sum(axis=-1, keepdims=True) * bone
+    return bent + BENT * shortest
 
 
 def _without_yaw(q: np.ndarray) -> np.ndarray:

@@ -29,7 +29,7 @@ LIMBS = {"femur": ("hip", "knee", "ankle"), "humerus": ("shoulder", "elbow", "wr
 
 
 class Turned(NamedTuple):
-    """How a file turns what the places of joints tell badly."""
+    """How the trunk, the head and the upper bones are turned."""
 
     pelvis: np.ndarray
     """(T, 4) in the world, from the axes of the body."""
@@ -37,11 +37,11 @@ class Turned(NamedTuple):
     thorax: np.ndarray
     """(T, 4), likewise."""
 
-    head: np.ndarray
-    """(T, 4), likewise."""
+    head: np.ndarray | None
+    """(T, 4), likewise; None where there is none."""
 
     bends: Mapping[str, np.ndarray]
-    """(T, 3) of each upper bone (``left_femur``, …): which way in the world its lower bone bends."""
+    """(T, 3) of each upper bone (``left_femur``, …): which way in the world its lower bone bends; of any length."""
 
 
 def rest_axes(bone: str, side: str) -> tuple[np.ndarray, np.ndarray]:
