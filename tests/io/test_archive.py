@@ -15,6 +15,7 @@ from leitmotion import io
 from leitmotion.body import Body, BodyMap, Dynamics, Flight
 from leitmotion.datasets import Session
 from leitmotion.discovery.lesson import Difference, Lesson, Step, Variation
+from leitmotion.discovery.motion_graph import MotionGraph, Path, State, Visit
 from leitmotion.discovery.pattern import Pattern, PatternPair, Patterns
 from leitmotion.discovery.residual import Candidate, Residual
 from leitmotion.discovery.shared import Places, SharedPair, SharedPattern, SharedPatterns
@@ -27,6 +28,7 @@ from leitmotion.evaluation import (
     equal_error_rate,
     errors_at,
 )
+from leitmotion.evaluation.symmetry import SymmetryLabel, SymmetryScores, SymmetryVerdict
 from leitmotion.features.bias import SideBias
 from leitmotion.features.sequence import FeatureSequence
 from leitmotion.io import archive
@@ -95,6 +97,12 @@ def samples():
     again = SymmetrySpan("path_repetition", 0, 3, 0.7, partner=(4, 9), reason="near")
     walk = SymmetrySpan("anti_phase", 0, 9, 0.8, cyclic=True, marks=[0, 3, 6, 8])
     yield from (again, Symmetry((again, walk), 30, 9, {"beta": 20.0}, [4]))
+    visit = Visit(0, 3, 9, reversed=True)
+    state, path = State("A", False, (visit,), "A*"), Path("aa", "A", "A", False, True, (visit,))
+    yield from (visit, state, path, MotionGraph((state,), (path,), ("a",), (30.0,), 0.9, {"n": 1}))
+    label = SymmetryLabel(0, 9, "alternate", "cycle", ("anti_phase",))
+    verdict = SymmetryVerdict(label, "anti_phase", 0.8, 0.9, ("anti_phase",))
+    yield from (label, verdict, SymmetryScores((verdict,), 2, 1, 9.0, 3.0, 0.5))
     flight = Flight(1, 3, 9.7, 0.002, [0.1, 0.2, 0.3], 0.05, 0.1)
     yield flight
     yield weighed(rng, flight)

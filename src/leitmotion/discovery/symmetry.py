@@ -35,6 +35,7 @@ from leitmotion.similarity import DoubleMetric, still_spans
 STILL_SHARE = 0.6  # of the angle of half likeness, that a body which keeps still stays within
 STILL = np.radians(5.0), np.radians(6.5)  # bounds of that, of a mean link
 DRIFT = np.radians(8.0)  # a second, of a body that keeps still: one that passes slowly is faster
+CLEAR = 0.5  # confidence of a form that tells of what lies within it
 SAME_PAIR = 0.6  # of both stretches of a pair, in those of another
 
 
@@ -76,7 +77,7 @@ def find_symmetry(found: DoubleMetric, *, min_still_s: float = 0.5) -> Symmetry:
     ]
     told = name_forms(forms, waypoints)
     named = [each for _, each in told]
-    named += _pairs(signals, [form for form, _ in told], waypoints)
+    named += _pairs(signals, [form for form, each in told if each.confidence >= CLEAR], waypoints)
     named += name_symmetric(named, waypoints)
     spans = [_span(each, waypoints) for each in named if each.confidence >= LEAST_CONFIDENCE]
     spans += _still(found, min_still_s)
