@@ -47,7 +47,7 @@ if (!several) (() => {
   const canvas = make("canvas", "", [], { "aria-hidden": "true" });
   const track = make("div", "track");
   const [name, note] = [make("span", ""), make("small", "")];
-  const menu = make("button", "curve-menu", [name], { type: "button", "aria-label": "Which curve", "aria-expanded": "false", "aria-controls": "curve-sheet" });
+  const menu = make("button", "curve-menu", [name], { type: "button", "aria-expanded": "false", "aria-controls": "curve-sheet" });
   menu.innerHTML += '<svg viewBox="0 0 10 10" width="9" height="9" aria-hidden="true"><path d="M1.5 3.5 5 7l3.5-3.5" fill="none" stroke="currentColor" stroke-width="1.4"/></svg>';
   const head = make("div", "row-head", [curves.length > 1 ? menu : name, note]);
   const element = make("div", "row curve", [canvas, head, track]);
@@ -72,6 +72,7 @@ if (!several) (() => {
     layout() {
       const curve = curveNow();
       title.textContent = curve.title;
+      menu.setAttribute("aria-label", `${curve.title}: choose another curve`);
       note.textContent = curve.note;
       element.setAttribute("data-curve", curve.id);
       track.replaceChildren(...(curve.flights ? flights.map((flight) => bandOf(flight)) : []), ...(state.view === "symmetry" ? symmetry.strikes.map(strikeOf) : []));
