@@ -19,7 +19,7 @@ def test_bias_weights_and_rate_are_as_asked():
 
 
 def test_an_unknown_bias_is_refused():
-    with pytest.raises(lm.ParameterError, match="bias must be one of none, mean, standing, got 'some'"):
+    with pytest.raises(lm.ParameterError, match="bias must be one of none, auto, mean, standing, got 'some'"):
         lm.compare_with_mirror(lm.compose_session(seed=3, rate=30.0).motion, bias="some")
 
 

@@ -21,6 +21,7 @@ from leitmotion.motion import DataError, ParameterError
 from leitmotion.similarity import (
     DoubleMetric,
     SimilarityMatrix,
+    balanced_bias,
     cross_distance,
     double_metric,
     self_distance,
@@ -32,7 +33,7 @@ MOST_MOMENTS = 6000
 """Moments that are compared at most: 288 MB for both matrices."""
 SPREAD_S = 0.04
 """Over which postures are averaged, so that noise of single frames does not count: a standard deviation, seconds."""
-BIASES = ("none", "mean", "standing")
+BIASES = ("none", "auto", "mean", "standing")
 
 
 class Mirrored(NamedTuple):
@@ -123,8 +124,10 @@ def compare_with_mirror(
         The cost of paper S, or the angle (:func:`leitmotion.similarity.double_metric`).
     weights : {"equal", "active"}
         Whether each link counts alike, or the more the more it moves; both sides count alike.
-    bias : {"none", "mean", "standing"}
-        By which posture the bias of the sides is measured and taken out (:func:`leitmotion.features.side_bias`).
+    bias : {"none", "auto", "mean", "standing"}
+        By which posture the bias of the sides is measured and taken out (:func:`leitmotion.features.side_bias`). "auto"
+        takes the mean one where the recording does the same to both sides
+        (:func:`leitmotion.similarity.balanced_bias`), else takes nothing out.
     beta : float, optional
         The sensitivity of the likeness; by default it is chosen from the recording.
     body_map : BodyMap or mapping of str, optional
@@ -154,7 +157,11 @@ def compare_with_mirror(
         raise ParameterError(f"bias must be one of {', '.join(BIASES)}, got {bias!r}.")
     known_weights(weights)
     chain = extract("kinematic_chain", recording, body_map)
-    taken = None if bias == "none" else side_bias(chain, pose=bias)
+    taken = None
+    if bias == "auto":
+        taken = balanced_bias(averaged(chain, SPREAD_S))
+    elif bias != "none":
+        taken = side_bias(chain, pose=bias)
     if taken is not None:
         chain = without_bias(chain, taken)
     shares = None

@@ -33,9 +33,10 @@ def motion_graph(
         What to call them; by default their own names.
     weights : {"equal", "active"}
         Whether each link counts alike, or the more the more it moves; both sides count alike.
-    bias : {"none", "mean", "standing"}
+    bias : {"none", "auto", "mean", "standing"}
         By which posture the bias of the sides is measured and taken out, of each recording
-        (:func:`leitmotion.features.side_bias`).
+        (:func:`leitmotion.features.side_bias`). "auto" and "none" leave it to the drawing of the graph, which takes out
+        by what constant turns moments differ from the mirror images of others.
     racemize : bool
         Whether to add the mirror images (:func:`leitmotion.discovery.racemized`).
     body_map : BodyMap or mapping of str, or one for each recording, optional
@@ -80,7 +81,7 @@ def motion_graph(
     if chains and not common:
         raise DataError("The recordings have no links of the body in common.")
     chains = [only(chain, common) for chain in chains]
-    if bias != "none":
+    if bias not in ("auto", "none"):
         chains = [without_bias(chain, side_bias(chain, pose=bias)) for chain in chains]
     shares = None
     if weights == "active" and chains:

@@ -43,10 +43,13 @@ def mirror_options(*, of: str = "") -> Callable[[Callable[..., Any]], Callable[.
         ),
         click.option(
             "--bias",
-            type=click.Choice(["none", "mean", "standing"]),
+            type=click.Choice(["none", "auto", "mean", "standing"]),
             default="none",
             show_default=True,
-            help=said("the posture by which the bias of the sides is measured, and taken out."),
+            help=said(
+                "the posture by which the bias of the sides is measured, and taken out; auto: the mean one, where "
+                "both sides do the same."
+            ),
         ),
         click.option(
             "--beta",

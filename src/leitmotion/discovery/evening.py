@@ -11,7 +11,7 @@ import numpy as np
 
 from leitmotion.features import FeatureSequence, SideBias, mirrored, without_bias
 from leitmotion.motion.rotations import IDENTITY, conjugate, from_rotation_vector, multiply
-from leitmotion.similarity import double_metric
+from leitmotion.similarity import along_the_way, double_metric
 
 SAMPLED = 500  # moments that are compared
 ROUNDS = 4
@@ -34,7 +34,7 @@ def matched_bias(chain: FeatureSequence) -> SideBias | None:
         What to take out; None where moments and images do not differ by the same throughout.
     """
     sample = chain[:: max(1, len(chain) // SAMPLED)]
-    along = _along(sample)
+    along = along_the_way(sample)
     links = len(chain.names)
     bias = SideBias(chain.names, np.tile(IDENTITY, (links, 1)), np.zeros(links), "matched", len(sample))
     tried: list[tuple[SideBias, float]] = []
@@ -48,13 +48,6 @@ def matched_bias(chain: FeatureSequence) -> SideBias | None:
         return None
     angles = 4.0 * np.arccos(np.clip(np.abs(last.turns[:, 0]), 0.0, 1.0))  # a turn is half of what differs
     return last.replace(angles=angles)
-
-
-def _along(sample: FeatureSequence) -> np.ndarray:
-    """Moments at even steps of the way, not of time: a posture that is held counts no more than another."""
-    steps = np.nan_to_num(np.linalg.norm(np.diff(sample.values, axis=0), axis=1))
-    way = np.concatenate(([0.0], np.cumsum(steps)))
-    return np.searchsorted(way, np.linspace(0.0, way[-1], len(way)), side="left").clip(0, len(way) - 1)
 
 
 def _halves(chain: FeatureSequence, match: np.ndarray, along: np.ndarray) -> np.ndarray:

@@ -1,6 +1,7 @@
 """How alike are two moments or two stretches."""
 
 from leitmotion.similarity.alignment import Alignment
+from leitmotion.similarity.balance import along_the_way, balanced_bias
 from leitmotion.similarity.counterparts import Counterparts, counterparts, shares_alike
 from leitmotion.similarity.distance import cross_distance, self_distance
 from leitmotion.similarity.dtw import align, warping_cost
@@ -26,7 +27,9 @@ __all__ = [
     "DoubleMetric",
     "SimilarityMatrix",
     "align",
+    "along_the_way",
     "axis_speed",
+    "balanced_bias",
     "choose_beta",
     "counterparts",
     "cross_distance",
