@@ -324,7 +324,7 @@ def test_refusals_say_what_is_wrong(wandering):
                 tuple(NAMES[k] for k in few), wandering.positions[:, few], RATE, unit="m", kind="joint"
             )
         )
-    with pytest.raises(DataError, match="needs 5 frames in a row"):
+    with pytest.raises(DataError, match=r"needs 5 frames in a row, .* has 4\."):
         dynamics(wandering[:4])
     together = wandering.positions.copy()
     together[:, NAMES.index("LeftWrist")] = together[:, NAMES.index("LeftElbow")]

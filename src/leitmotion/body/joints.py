@@ -94,6 +94,11 @@ def seen_runs(points: Mapping[str, np.ndarray], name: str) -> list[tuple[int, in
     seen = np.isfinite(np.stack(list(points.values()), axis=1)).all(axis=(1, 2))
     borders = np.flatnonzero(np.diff(np.concatenate(([False], seen, [False]))))
     runs = [(start, stop) for start, stop in borders.reshape(-1, 2).tolist() if stop - start >= SHORTEST]
+    if len(seen) < SHORTEST:
+        raise DataError(
+            f"Dynamics needs {SHORTEST} frames in a row, {name or 'the recording'} has {len(seen)}.",
+            remedy="Give a longer recording, or a longer window of it.",
+        )
     if not runs:
         raise DataError(
             f"Dynamics needs {SHORTEST} frames in a row in which every joint is seen, "
