@@ -190,6 +190,13 @@ def test_what_is_unseen_is_neither_still_nor_slow():
     plot_symmetry(found, form="triangle")
 
 
+def test_a_single_moment_has_no_width_and_no_speed():
+    alone = double_metric(kinematic_chain(swinging(0.8))[:1], beta=300.0)
+    assert np.isnan(identity_width(alone)).all()
+    assert np.isnan(axis_speed(alone)).all()
+    plot_symmetry(alone, form="triangle")
+
+
 def test_the_index_is_one_with_the_mirror_image_and_the_same_of_it(chain):
     image = mirrored(chain)
     alone, other, both = (

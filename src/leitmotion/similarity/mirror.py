@@ -299,11 +299,13 @@ def identity_width(found: DoubleMetric) -> np.ndarray:
     -------
     (T,) float
         Seconds, before and after together. Where the recording, or what is seen of it, begins or ends too soon, twice
-        the other side; its whole length where it does so on both. NaN where the body is unseen.
+        the other side; its whole length where it does so on both. NaN where the body is unseen, and of a single
+        moment, which tells nothing of how long it lasts.
     """
     ahead, behind, _ = _reaches(found)
     one = np.where(ahead < 0, behind, ahead), np.where(behind < 0, ahead, behind)
-    return np.where(one[0] < 0, len(found), one[0] + one[1]) / found.rate
+    whole = len(found) if len(found) > 1 else np.nan
+    return np.where(one[0] < 0, whole, one[0] + one[1]) / found.rate
 
 
 def axis_speed(found: DoubleMetric) -> np.ndarray:
@@ -317,7 +319,7 @@ def axis_speed(found: DoubleMetric) -> np.ndarray:
     Returns
     -------
     (T,) float
-        Radians a second of a mean link: twice the angle of half likeness over the width; NaN where the body is unseen.
+        Radians a second of a mean link: twice the angle of half likeness over the width; NaN where that is.
     """
     return 2.0 * found.half_angle / identity_width(found)
 
