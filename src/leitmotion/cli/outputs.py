@@ -14,6 +14,7 @@ import csv
 import io as streams
 import json
 import os
+import re
 import sys
 import tempfile
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
@@ -185,8 +186,17 @@ def write_figure(path: Path, figure: Figure) -> str:
     with rc_context({"svg.hashsalt": CREATOR}):  # whose ids are random otherwise
         figure.savefig(picture, format=form, dpi=200, metadata=made_by[form])
     told = will_be_written(path)
-    write_whole(path, picture.getvalue())
+    write_whole(path, _rounded(picture.getvalue()) if form == "svg" else picture.getvalue())
     return told
+
+
+def _rounded(drawing: bytes) -> bytes:
+    """Write the places of an SVG's outlines to a hundredth of a point; finer than that nothing is seen."""
+
+    def shorter(found: re.Match[bytes]) -> bytes:
+        return f"{float(found[0]):.2f}".rstrip("0").rstrip(".").encode()
+
+    return re.sub(rb' d="[^"]*"', lambda outline: re.sub(rb"-?\d+\.\d{3,}", shorter, outline[0]), drawing)
 
 
 def save_value(path: Path, value: Noun) -> str:
