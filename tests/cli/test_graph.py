@@ -31,6 +31,7 @@ def test_a_person_reads_the_notation_and_what_was_done(run: Run, made: Path, jac
     assert head == f"{len(jacks.states)} states, {len(jacks.paths)} path{'s' * (len(jacks.paths) > 1)}."
     assert (line, done) == (notation(jacks), performed(jacks))
     assert told.stdout.count("state ") == len(jacks.states)
+    assert "X\u0304 ↔ Y\u0304" in told.stdout
 
 
 def test_the_document_says_what_the_library_says(run: Run, made: Path, jacks: lm.MotionGraph) -> None:
@@ -71,6 +72,9 @@ def test_it_is_written_and_read_again(run: Run, made: Path, jacks: lm.MotionGrap
             told = run("graph", made / "jacks.bvh", "-o", f"graph.{ending}")
             assert told.exit_code == 0, told.stderr
             assert told.stdout.endswith(f"\nWrote graph.{ending}.\n")
+    outlines = re.findall(r' d="([^"]*)"', Path("graph.svg").read_text(encoding="utf-8"))
+    assert outlines
+    assert not any(re.search(r"\.\d{3}", outline) for outline in outlines)
     loaded = lm.load("graph.npz")
     assert (loaded.states, loaded.paths) == (jacks.states, jacks.paths)
     nodes = ElementTree.parse("graph.graphml").getroot().iter("{http://graphml.graphdrawing.org/xmlns}node")

@@ -154,7 +154,7 @@ def _show(console: Console, found: MotionGraph) -> None:
         (
             labels[one.name],
             "path",
-            f"{one.source} {'↔' if one.reversible else '→'} {one.target}",
+            f"{labels[one.source]} {'↔' if one.reversible else '→'} {labels[one.target]}",
             *_visits(one.visits, found),
             _image(one, labels),
         )
