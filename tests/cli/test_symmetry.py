@@ -15,6 +15,7 @@ from cli.json_schema import faults
 from leitmotion.cli import shares, symmetry
 from leitmotion.discovery import notation
 from leitmotion.discovery.symmetry_span import MOTIFS
+from leitmotion.view.symmetry_words import CHIEF
 
 DOCS = Path(__file__).resolve().parents[2] / "docs" / "json.md"
 SCHEMA = json.loads(re.findall(r"```json\n(.*?)```", DOCS.read_text(encoding="utf-8"), re.DOTALL)[-1])
@@ -37,6 +38,16 @@ def test_a_person_reads_motifs_in_plain_words_and_in_those_of_the_thesis(run: Ru
         "The bias of the sides in the mean posture ("
         in run("symmetry", made / "jacks.bvh", "--bias", "mean").stdout
     )
+
+
+def test_of_many_stretches_the_clearest_are_told_in_order(run: Run, made: Path, monkeypatch) -> None:
+    found = lm.find_symmetry(lm.read(made / "jacks.bvh"))
+    monkeypatch.setattr(symmetry, "TOLD", 1)
+    told = run("symmetry", made / "jacks.bvh").stdout
+    best = max(found.spans, key=lambda span: (span.motif in CHIEF, span.confidence))
+    assert len(re.findall(r"^\d:\d\d\.\d", told, re.MULTILINE)) == 1
+    assert f"  {CHIEF[best.motif].name}  " in told
+    assert f"{len(found.spans) - 1} more, less clear, are in the JSON." in told
 
 
 def test_the_document_says_what_the_library_says(run: Run, made: Path) -> None:

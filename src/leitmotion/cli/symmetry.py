@@ -46,6 +46,8 @@ COLUMNS = (
 """Columns of the table, one row per stretch."""
 TOLD = 40
 """Stretches that a person is told at most."""
+STRIKES = 12
+"""Strikes that a person is told at most."""
 
 
 @click.command(
@@ -192,13 +194,13 @@ def _show(console: Console, found: Symmetry, result: Document) -> None:
     if found.spans:
         console.print()
         headings = ("from and to", "", "motif", ">confidence", "again at")
-        print_table(console, headings, [_told(span, found.rate) for span in found.spans[:TOLD]])
+        print_table(console, headings, [_told(span, found.rate) for span in _clearest(found.spans)])
     else:
         console.print(LOOKED_FOR, style="dim")
     if len(found.spans) > TOLD:
-        console.print(f"{len(found.spans) - TOLD} more are in the JSON.")
+        console.print(f"{len(found.spans) - TOLD} more, less clear, are in the JSON.")
     if len(found.strikes):
-        console.print(f"Struck at {', '.join(clock(frame / found.rate) for frame in found.strikes)}.")
+        console.print(_struck([clock(frame / found.rate) for frame in found.strikes]))
     if result["notation"]:
         console.print(f"States and paths: {result['notation']}")
     if (index := result["symmetry_index"]) is not None:
@@ -207,19 +209,40 @@ def _show(console: Console, found: Symmetry, result: Document) -> None:
         console.print(sentence)
 
 
+def _clearest(spans: Sequence[SymmetrySpan]) -> list[SymmetrySpan]:
+    """Those that a person is told, in order of time: first what tells how the sides move, the surest of it."""
+    from leitmotion.view.symmetry_words import CHIEF
+
+    best = sorted(spans, key=lambda span: (span.motif in CHIEF, span.confidence), reverse=True)[:TOLD]
+    return [span for span in spans if span in best]
+
+
 def _told(span: SymmetrySpan, rate: float) -> tuple[str, ...]:
     """Make a row of the table that a person reads: the plain name, and the thesis's term."""
-    from leitmotion.view.counting import clock
     from leitmotion.view.symmetry_words import TOLD as WORDS
 
     words = WORDS[span.motif]
     return (
-        f"{clock(span.start / rate)}–{clock(span.stop / rate)}",
+        _when(span.start, span.stop, rate),
         words.name,
         words.term + (", cyclic" if span.cyclic and not span.motif.endswith("cycle") else ""),
         f"{span.confidence:.2f}",
-        f"{clock(span.partner[0] / rate)}–{clock(span.partner[1] / rate)}" if span.partner else "",
+        _when(*span.partner, rate) if span.partner else "",
     )
+
+
+def _struck(when: Sequence[str]) -> str:
+    """Say at which moments the body stops or turns at a stroke: the first, and how many more."""
+    more = f", and {len(when) - STRIKES} times more" if len(when) > STRIKES else ""
+    return f"Struck at {', '.join(when[:STRIKES])}{more}."
+
+
+def _when(start: int, stop: int, rate: float) -> str:
+    """Write a stretch, or the one moment that it is to a tenth of a second."""
+    from leitmotion.view.counting import clock
+
+    first, last = clock(start / rate), clock(stop / rate)
+    return first if first == last else f"{first}–{last}"
 
 
 def _write_one(

@@ -5,7 +5,7 @@ function buildHeader() {
   $("name").textContent = name;
   const hertz = Number.isInteger(rate) ? rate : Number(rate.toFixed(2));
   const length = seconds >= 60 ? clockWord(seconds) : `${seconds.toFixed(1)} s`;
-  $("facts").textContent = payload.source.facts ?? `${length} · ${frames.toLocaleString("en")} frames at ${hertz} Hz`;
+  $("facts").textContent = payload.source.facts ?? `${length} · ${frames.toLocaleString("en")} ${frames === 1 ? "frame" : "frames"} at ${hertz} Hz`;
   $("clock-of").textContent = `of ${clockWord(clip.seconds)}`;
 }
 
