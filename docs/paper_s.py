@@ -66,7 +66,7 @@ CASES: dict[str, tuple[Case, Case]] = {
     ),
     "state_repetition": (
         Case("sun salutation", (14.2, 18.8), (14.4, 15.4), (17.5, 17.8)),
-        Case("mocap6/13_29.amc", (13.9, 16.4), (14.4, 14.6), (15.7, 15.9)),
+        Case("mocap6/13_29.amc", (13.9, 16.4), (14.3, 14.7), (15.6, 16.0)),
     ),
     "path_repetition": (
         Case("sun salutation", (0.4, 9.4), (0.7, 3.0), (6.9, 9.2)),
@@ -82,7 +82,7 @@ CASES: dict[str, tuple[Case, Case]] = {
     ),
     "reflected_state_repetition": (
         Case("walking", (0.0, 0.6), (0.0, 0.1), (0.4, 0.5), alone=True),
-        Case(KATA, (20.1, 22.8), (20.5, 20.6), (22.3, 22.4)),
+        Case(KATA, (20.1, 22.8), (20.4, 20.7), (22.1, 22.5)),
     ),
     "reflected_path_repetition": (
         Case("side kicks", (0.0, 15.0), (0.2, 6.8), (8.2, 14.8)),
