@@ -47,7 +47,7 @@ def test_of_many_stretches_the_clearest_are_told_in_order(run: Run, made: Path, 
     best = max(found.spans, key=lambda span: (span.motif in CHIEF, span.confidence))
     assert len(re.findall(r"^\d:\d\d\.\d", told, re.MULTILINE)) == 1
     assert f"  {CHIEF[best.motif].name}  " in told
-    assert f"{len(found.spans) - 1} more, less clear, are in the JSON." in told
+    assert f"{len(found.spans) - 1} more, which tell less, are in the JSON." in told
 
 
 def test_the_document_says_what_the_library_says(run: Run, made: Path) -> None:

@@ -198,7 +198,7 @@ def _show(console: Console, found: Symmetry, result: Document) -> None:
     else:
         console.print(LOOKED_FOR, style="dim")
     if len(found.spans) > TOLD:
-        console.print(f"{len(found.spans) - TOLD} more, less clear, are in the JSON.")
+        console.print(f"{len(found.spans) - TOLD} more, which tell less, are in the JSON.")
     if len(found.strikes):
         console.print(_struck([clock(frame / found.rate) for frame in found.strikes]))
     if result["notation"]:
