@@ -15,7 +15,7 @@ from leitmotion.evaluation import GraphPath, GraphShape, GraphState, same_graph
 from leitmotion.features import kinematic_chain, mirrored, without_bias
 from leitmotion.features.resampling import resample
 from leitmotion.io import load, save
-from leitmotion.motion import ParameterError, rotations
+from leitmotion.motion import DataError, ParameterError, rotations
 from leitmotion.similarity import double_metric
 from oracles import body as oracle
 from oracles import danced as motifs
@@ -158,6 +158,20 @@ def test_states_are_shared_across_recordings():
     assert graph.rates == (60.0, 30.0)
 
 
+@pytest.mark.parametrize("unseen", [6, 30, 60])
+@pytest.mark.parametrize("name", ["walking", "jumping jacks"])
+def test_no_way_leads_across_what_nobody_saw(name, unseen):
+    chain = kinematic_chain(compose_motif(name, rate=60.0).motion)
+    first = len(chain) // 2
+    values = chain.values.copy()
+    values[first : first + unseen] = np.nan
+    graph = build_graph([chain.replace(values=values)])
+    assert shape(graph) == shape(build_graph([chain]))
+    visits = [visit for each in (*graph.states, *graph.paths) for visit in each.visits]
+    assert all(visit.stop <= first + 1 or visit.start >= first + unseen - 1 for visit in visits)
+    assert max(visit.stop for visit in visits) <= len(chain)
+
+
 def test_nothing_that_moves_has_one_state():
     still = np.tile([1.0, 0.0, 0.0, 0.0], (90, 15))
     graph = build_graph([motifs.performed("walking", 0).replace(values=still)])
@@ -221,6 +235,9 @@ def test_what_is_asked_wrongly_is_told():
         lm.motion_graph(motion, bias="left")
     with pytest.raises(ParameterError, match="has one name"):
         lm.motion_graph([motion], names=["a", "b"])
+    chain = kinematic_chain(motion[:30])
+    with pytest.raises(DataError, match="needs a body that was seen"):
+        build_graph([chain.replace(values=np.full_like(chain.values, np.nan))])
 
 
 @pytest.mark.data

@@ -41,12 +41,15 @@ def build_graph(
     Returns
     -------
     MotionGraph
-        Without a state where nothing recurs, turns back or keeps still.
+        Without a state where nothing recurs, turns back or keeps still. No path leads across frames in which nothing
+        of the body was seen.
 
     Raises
     ------
     ParameterError
         When there is no recording, or the chains are of different links.
+    DataError
+        When nothing of a body was seen.
     """
     if not chains:
         raise ParameterError("A motion graph is of one recording at least, got none.")

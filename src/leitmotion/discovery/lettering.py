@@ -56,13 +56,15 @@ class _Frames(NamedTuple):
     moments: Moments
     chains: Sequence[FeatureSequence]
 
-    def visit(self, recording: int, start: int, stop: int, *, backwards: bool = False) -> Visit:
-        """A visit of moments [start, stop); the last moment lasts to the end."""
-        first, end = self.moments.starts[recording : recording + 2].tolist()
+    def visit(self, stretch: int, start: int, stop: int, *, backwards: bool = False) -> Visit:
+        """A visit of moments [start, stop) of a stretch; the last moment of a recording lasts to its end."""
+        recording, origin = self.moments.origins[stretch].tolist()
+        before = origin - int(self.moments.starts[stretch])
         chain = self.chains[recording]
         each = chain.rate / self.moments.rate
-        last = len(chain) if stop == end else min(round((stop - first) * each), len(chain))
-        return Visit(recording, round((start - first) * each), last, reversed=backwards)
+        after = (before + stop) * each
+        last = len(chain) if after > len(chain) - 1 + 1e-3 else round(after)
+        return Visit(recording, round((before + start) * each), last, reversed=backwards)
 
 
 def _names(stops: Sequence[Sequence[Stop]]) -> dict[Node, str]:
@@ -88,7 +90,7 @@ def _paths(walked: Walked, names: dict[Node, str], frames: _Frames) -> tuple[Pat
     directions: dict[int, set[bool]] = defaultdict(set)
     for row, gone in zip(ways_of(walked.stops), walked.gone, strict=True):
         for way, how in zip(row, gone, strict=True):
-            visit = frames.visit(way.recording, way.start, way.stop, backwards=how.reversed)
+            visit = frames.visit(way.stretch, way.start, way.stop, backwards=how.reversed)
             visited[how.path, how.mirrored].append(visit)
             directions[how.path].add(how.reversed)
     labels = _labels(walked.courses, names)

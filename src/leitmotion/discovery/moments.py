@@ -1,4 +1,8 @@
-"""Moments: what of one recording or several is compared, smooth enough that its speed tells when the body turns."""
+"""Moments: what of one recording or several is compared, smooth enough that its speed tells when the body turns.
+
+A *stretch* is what was seen of a recording without a break. What lies between two stretches nobody saw: it is no
+moment, and no way leads across it.
+"""
 
 from __future__ import annotations
 
@@ -9,9 +13,11 @@ from typing import NamedTuple
 import numpy as np
 
 from leitmotion.discovery.evening import matched_bias
+from leitmotion.discovery.pauses import true_runs
 from leitmotion.features import FeatureSequence, without_bias
 from leitmotion.features.resampling import resample
 from leitmotion.features.rotations import towards_mean
+from leitmotion.motion.errors import DataError
 from leitmotion.motion.rotations import normalize
 from leitmotion.motion.smoothing import SHORTEST, smooth
 from leitmotion.similarity import double_metric
@@ -26,7 +32,7 @@ ABOVE_NOISE = 4.0  # times the power of the noise, from which on there is moveme
 
 
 class Moments(NamedTuple):
-    """Moments of one recording or several, one after another, beside their mirror images."""
+    """Moments of the stretches of one recording or several, one after another, beside their mirror images."""
 
     own: np.ndarray
     """(N, N) float32: the angle by which a mean link is turned between two moments, root mean square, radians."""
@@ -35,7 +41,9 @@ class Moments(NamedTuple):
     speed: np.ndarray
     """(N,) radians a second of a mean link."""
     starts: np.ndarray
-    """(R + 1,) int: the moment at which each recording begins, and the end."""
+    """(S + 1,) int: the moment at which each stretch begins, and the end."""
+    origins: np.ndarray
+    """(S, 2) int: the recording of each stretch, and how many moments after that it begins."""
     rate: float
     """Moments a second."""
     half: float
@@ -56,14 +64,20 @@ def moments_of(chains: Sequence[FeatureSequence], *, weights: np.ndarray | None 
         for piece, bias in zip(pieces, biases, strict=True)
     ]
     evened = tuple(0.0 if bias is None else float(bias.angles.max()) for bias in biases)
-    values = np.concatenate([piece.values for piece in pieces])
+    runs = [true_runs(np.isfinite(piece.values).any(axis=1)) for piece in pieces]
+    if not any(runs):
+        raise DataError("The motion graph needs a body that was seen, and nothing of it was in any frame.")
+    values = np.concatenate(
+        [piece.values[a:b] for piece, seen in zip(pieces, runs, strict=True) for a, b in seen]
+    )
     turned = values.reshape(len(values), -1, 4)
     whole = pieces[0].replace(values=(turned * towards_mean(turned)).reshape(len(values), -1))
     double = double_metric(whole, weights=weights)
-    starts = np.concatenate(([0], np.cumsum([len(piece) for piece in pieces])))
+    starts = np.concatenate(([0], np.cumsum([b - a for seen in runs for a, b in seen])))
+    origins = np.array([(k, a) for k, seen in enumerate(runs) for a, _ in seen])
     own, mirror = (_angle(each) for each in (double.own, double.mirror))
     speed = np.concatenate([_speed(own[a:b, a:b], rate) for a, b in pairwise(starts)])
-    return Moments(own, mirror, speed, starts, rate, double.half_angle, evened)
+    return Moments(own, mirror, speed, starts, origins, rate, double.half_angle, evened)
 
 
 def smoothed(chain: FeatureSequence) -> FeatureSequence:

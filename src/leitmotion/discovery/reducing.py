@@ -34,7 +34,7 @@ class Walked(NamedTuple):
     """Stops, and what lies between them."""
 
     stops: list[list[Stop]]
-    """Recording by recording, in order."""
+    """Stretch by stretch of what was seen without a break, in order."""
     gone: list[list[Gone]]
     """Which path lies between each two."""
     courses: list[Course]
@@ -68,7 +68,7 @@ def reduced(stops: Sequence[Sequence[Stop]], atlas: Atlas) -> Walked:
     Parameters
     ----------
     stops : sequence of sequence of Stop
-        The visits of all candidates, recording by recording.
+        The visits of all candidates, stretch by stretch.
     atlas : Atlas
         What tells which path a way is.
 

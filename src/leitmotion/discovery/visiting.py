@@ -44,7 +44,7 @@ class _Node(NamedTuple):
 
 
 def visits(moments: Moments, orbits: Orbits) -> list[list[Stop]]:
-    """Find each visit of each state, recording by recording, in order.
+    """Find each visit of each state, stretch by stretch, in order.
 
     Parameters
     ----------
@@ -57,7 +57,7 @@ def visits(moments: Moments, orbits: Orbits) -> list[list[Stop]]:
     Returns
     -------
     list of list of Stop
-        Visits of a recording, which do not overlap. What never left a state between two is one visit.
+        Visits of a stretch, which do not overlap. What never left a state between two is one visit.
     """
     nodes = _nodes(moments, orbits)
     return [_row(nodes, int(start), int(stop)) for start, stop in pairwise(moments.starts)]
@@ -88,7 +88,7 @@ def _reach(apart: np.ndarray, own: np.ndarray) -> float:
 
 
 def _row(nodes: list[_Node], start: int, stop: int) -> list[Stop]:
-    """The visits of a recording."""
+    """The visits of a stretch."""
     away = np.stack([node.away[start:stop] for node in nodes])
     nearest = away.argmin(axis=0)
     inside = away.min(axis=0) < np.array([node.reach for node in nodes])[nearest]

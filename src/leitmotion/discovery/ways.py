@@ -28,7 +28,7 @@ Node = tuple[int, int]
 class Way(NamedTuple):
     """What lies between two stops that follow one another."""
 
-    recording: int
+    stretch: int
     source: Stop
     target: Stop
 
@@ -63,7 +63,7 @@ class Course(NamedTuple):
 
 
 def ways_of(stops: Sequence[Sequence[Stop]]) -> list[list[Way]]:
-    """What lies between the stops of each recording."""
+    """What lies between the stops of each stretch that was seen without a break."""
     return [[Way(k, a, b) for a, b in pairwise(row)] for k, row in enumerate(stops)]
 
 
@@ -77,7 +77,7 @@ class _Member(NamedTuple):
 
     way: Way
     at: tuple[int, int]
-    """Its recording and its place there."""
+    """Its stretch and its place there."""
     mirrored: bool
     reversed: bool
 
