@@ -158,6 +158,18 @@ def test_states_are_shared_across_recordings():
     assert graph.rates == (60.0, 30.0)
 
 
+def test_a_turning_point_that_is_held_is_a_state():
+    chain = kinematic_chain(compose([Action("squat", 3), Action("left side kick", 2)], seed=0).motion)
+    kicks = build_graph([chain])
+    assert written(kicks) == unicodedata.normalize("NFC", "X̄, A; x̄x ↔, xa ↔, aa ↔")
+    times = np.ones(len(chain), dtype=int)
+    for visit in kicks.paths[-1].visits:
+        way = chain.values[visit.start : visit.stop]
+        times[visit.start + np.linalg.norm(way - way[0], axis=1).argmax()] = round(1.2 * chain.rate)
+    held = build_graph([chain.replace(values=np.repeat(chain.values, times, axis=0))])
+    assert written(held) == unicodedata.normalize("NFC", "X̄, A, B; x̄x ↔, xa ↔, ab ↔")
+
+
 @pytest.mark.parametrize("unseen", [6, 30, 60])
 @pytest.mark.parametrize("name", ["walking", "jumping jacks"])
 def test_no_way_leads_across_what_nobody_saw(name, unseen):
@@ -247,6 +259,7 @@ def test_what_is_asked_wrongly_is_told():
         ("cmu_bvh/jumping_jacks.bvh", "X̄, Ȳ; x̄y ↔"),
         ("cmu_bvh/cmu_12_01_walk.bvh", "A, A*; aa* →, (aa*)* →"),
         ("bandai_namco/dataset-1_walk_normal_001.bvh", "A, A*; aa* →, (aa*)* →"),
+        ("bandai_namco/dataset-1_bow_normal_001.bvh", "X̄, Ȳ; x̄y ↔"),  # the bow is held for a second
     ],
 )
 def test_real_recordings_are_what_they_are(data, file, expected):

@@ -159,13 +159,11 @@ def _is_on_the_way(
     if len(through[orbit]) > 1:
         return False
     ((into, out),) = through[orbit]
-    if into == out or into == walked.image(out):
+    if held or into == out or into == walked.image(out):
         return False
     if out == walked.back(into):
         return not _leads_nowhere_else(orbit, out.path, walked)
-    if walked.upright(orbit) and out == walked.image(walked.back(into)):
-        return False
-    return not held
+    return not (walked.upright(orbit) and out == walked.image(walked.back(into)))
 
 
 def _leads_nowhere_else(orbit: int, path: int, walked: Walked) -> bool:
