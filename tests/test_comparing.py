@@ -23,6 +23,21 @@ def test_an_unknown_bias_is_refused():
         lm.compare_with_mirror(lm.compose_session(seed=3, rate=30.0).motion, bias="some")
 
 
+def test_motifs_tell_by_which_posture_their_bias_was_taken_out():
+    motion = lm.compose_session(seed=3, rate=30.0).motion
+    made = lm.compare_with_mirror(motion, bias="mean")
+    for given in (made, lm.compare_with_mirror(motion)):
+        parameters = lm.find_symmetry(motion, mirrored=given).parameters
+        taken = parameters["largest_bias_deg"]
+        assert (parameters["bias"], taken is None) == (("mean", False) if given is made else ("none", True))
+
+
+@pytest.mark.parametrize("seconds", [0.0, -1.0, float("nan")])
+def test_stillness_lasts_some_time(seconds):
+    with pytest.raises(lm.ParameterError, match="least duration of stillness must be positive"):
+        lm.find_symmetry(lm.compose_session(seed=3, rate=30.0).motion[:60], min_still_s=seconds)
+
+
 def test_one_recording_is_compared_with_itself_and_with_another():
     session = lm.compose_session(seed=3, rate=60.0).motion
     own = lm.compare(session[:240])

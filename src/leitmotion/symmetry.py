@@ -43,7 +43,7 @@ def find_symmetry(
     Raises
     ------
     ParameterError
-        When an option is unknown.
+        When an option is unknown, or `min_still_s` is not positive.
     DataError
         When the recording is planar, its trunk or a side is unknown, or nobody stands still.
 
@@ -58,7 +58,7 @@ def find_symmetry(
         recording, metric=metric, weights=weights, bias=bias, beta=beta, body_map=body_map
     )
     found = motifs_in(made, recording, min_still_s=min_still_s)
-    return found.replace(parameters=found.parameters | {"weights": weights, "bias": bias})
+    return found.replace(parameters=found.parameters | {"weights": weights})
 
 
 def motifs_in(mirrored: Mirrored, recording: Recording, *, min_still_s: float = 0.5) -> Symmetry:
@@ -83,6 +83,7 @@ def motifs_in(mirrored: Mirrored, recording: Recording, *, min_still_s: float = 
     parameters = {
         **told.parameters,
         "moments_per_s": mirrored.distances.rate,
+        "bias": "none" if taken is None else taken.pose,
         "largest_bias_deg": None if taken is None else float(np.degrees(taken.angles.max())),
     }
     frames = len(recording)

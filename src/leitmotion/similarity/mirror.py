@@ -339,7 +339,16 @@ def still_spans(found: DoubleMetric, *, min_duration_s: float = 0.5) -> Segmenta
     Segmentation
         Spans that do not overlap, in moments of `found`, labelled "stillness"; the longest is taken first. An unseen
         moment is in none.
+
+    Raises
+    ------
+    ParameterError
+        When the duration is not positive and finite.
     """
+    if not 0 < min_duration_s < np.inf:
+        raise ParameterError(
+            f"The least duration of stillness must be positive seconds, got {min_duration_s}."
+        )
     _, _, until = _reaches(found)
     shortest = max(2, round(min_duration_s * found.rate))
     spans = [(start, _end(until, start)) for start in range(len(found))]
