@@ -44,6 +44,17 @@ def test_waypoints_are_a_step_apart_and_stillness_makes_none():
     assert moments[0] > 5  # the person stands first
 
 
+def test_the_body_stays_at_its_last_waypoint_to_the_end_of_what_was_seen():
+    chain = kinematic_chain(twin.movement("symmetric_palindrome"))[::2]
+    rest = np.repeat(chain.values[-1:], 40, axis=0)
+    unseen = np.full_like(rest, np.nan)
+    longer = chain.replace(values=np.concatenate((chain.values, rest, unseen)))
+    waypoints = find_waypoints(double_metric(longer))
+    last = len(waypoints.at) - 1
+    assert waypoints.left(last) == len(chain) + 39
+    assert waypoints.stretch(last, last) == (waypoints.at[last], len(chain) + 40)
+
+
 @pytest.mark.parametrize(
     ("motif", "mirror", "reverse"),
     [

@@ -33,12 +33,14 @@ class Waypoints(NamedTuple):
     """(K, K) float32 angle of each to the mirror image of each, without what the sides differ by for long."""
     products: np.ndarray
     """(K, K) inner products of the antisymmetric parts (:func:`leitmotion.discovery.sides.antisymmetric`)."""
+    end: int
+    """The moment after the last that was seen."""
     alike: np.ndarray
     """(K,) float32 angle within which the posture is alike to another: a share of what the movement around it spans."""
 
     def left(self, k: int) -> int:
         """The last moment before the body has moved on from a waypoint."""
-        return int(self.at[k + 1]) - 1 if k + 1 < len(self.at) else int(self.at[k])
+        return (int(self.at[k + 1]) if k + 1 < len(self.at) else self.end) - 1
 
     def stretch(self, first: int, last: int) -> tuple[int, int]:
         """Moments of a way from a waypoint to another, or of the stay at one."""
@@ -78,7 +80,9 @@ def find_waypoints(found: DoubleMetric) -> Waypoints:
     since = np.searchsorted(way, way - REACH)
     until = np.searchsorted(way, way + REACH, side="right")
     mirror = without_lasting(own, products, since, until)
-    return Waypoints(at, own, mirror, products, _alike(own, since, until))
+    seen = np.flatnonzero(~np.isnan(np.diagonal(found.own)))
+    end = int(seen[-1]) + 1 if seen.size else 0
+    return Waypoints(at, own, mirror, products, end, _alike(own, since, until))
 
 
 def angles(distances: np.ndarray, metric: str) -> np.ndarray:
