@@ -3,6 +3,8 @@
 import numpy as np
 import pytest
 
+import leitmotion as lm
+from leitmotion.datasets import compose_motif
 from leitmotion.discovery import _signal_kernels as kernels
 from leitmotion.discovery.signals import find_signals
 from leitmotion.discovery.waypoints import find_waypoints
@@ -86,6 +88,19 @@ def test_what_a_movement_lacks_makes_no_signal_of_any_extent(motif, mirror, reve
     assert all(
         signal.extent < 1.5 for signal in find_signals(found_in(motif), mirror=mirror, reverse=reverse)
     )
+
+
+def test_what_lies_between_two_rests_is_alike_or_no_signal():
+    motion = compose_motif("sun salutation", seed=104).motion
+    waypoints = find_waypoints(lm.compare_with_mirror(motion).distances)
+    costs = [
+        signal.cost
+        for mirror in (False, True)
+        for reverse in (False, True)
+        for signal in find_signals(waypoints, mirror=mirror, reverse=reverse)
+    ]
+    assert max(costs) < 1
+    assert lm.find_symmetry(motion).spans
 
 
 def test_no_signal_runs_in_the_band_of_another():

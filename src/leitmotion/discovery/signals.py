@@ -104,6 +104,8 @@ def find_signals(waypoints: Waypoints, *, mirror: bool, reverse: bool) -> list[S
         kept = _between_rests(cells, waypoints)
         traced, cells = traced[kept], cells[kept]
         cost = float(apart[traced[:, 0], traced[:, 1]].mean())
+        if cost >= 1:  # what lies between the rests is not alike
+            continue
         found.append(Signal(cells, mirror, reverse, cost, _extent(cells, waypoints)))
     return found
 
