@@ -45,7 +45,8 @@ def motion_graph(
     Returns
     -------
     MotionGraph
-        Visits in frames of each recording. :func:`leitmotion.discovery.notation` writes it in a line.
+        Visits in frames of each recording. :func:`leitmotion.discovery.notation` writes it in a line. 30 moments a
+        second are compared, fewer of more than two minutes; ``parameters["moments_per_s"]`` tells how many.
 
     Raises
     ------
