@@ -97,14 +97,20 @@ def test_an_angle_of_any_size_is_right(chain):
     assert np.abs(found.mirror[0] - angles).max() < 1e-6
 
 
-def test_place_yaw_unit_and_rate_change_nothing(rng):
+def test_place_yaw_and_unit_change_nothing(rng):
     motion = oracle.human(rng, bend=0.8)
     found = double_metric(kinematic_chain(motion))
     elsewhere = oracle.scaled(oracle.moved(motion, yaw=2.0, by=[3.0, 0.0, -1.0]), 100.0)
-    assert np.abs(double_metric(kinematic_chain(elsewhere)).own - found.own).max() < 1e-5
-    assert np.abs(double_metric(kinematic_chain(elsewhere)).mirror - found.mirror).max() < 1e-5
-    fewer = double_metric(kinematic_chain(motion[::2]))
-    assert np.abs(fewer.mirror - found.mirror[::2, ::2]).max() < 1e-6
+    moved = double_metric(kinematic_chain(elsewhere))
+    assert np.abs(moved.own - found.own).max() < 1e-6
+    assert np.abs(moved.mirror - found.mirror).max() < 1e-6
+
+
+def test_the_rate_changes_nothing(rng):
+    """But for a tenth of a degree, by which half of the moments tell otherwise how the zero pose was fitted."""
+    motion = oracle.human(rng, bend=0.8)
+    found, fewer = (double_metric(kinematic_chain(each), metric="geodesic") for each in (motion, motion[::2]))
+    assert np.abs(fewer.mirror - found.mirror[::2, ::2]).max() < np.radians(0.1)
     assert fewer.beta == pytest.approx(found.beta, rel=0.05)
     assert np.abs(axis_speed(fewer) - axis_speed(found)[::2]).max() < 0.05 * axis_speed(found).max()
 
