@@ -95,6 +95,11 @@ def load(path: str | PathLike[str]) -> Any:
         When the file is missing, damaged, no archive of ours, of a newer version or of an unknown type.
     """
     path, content = read_file(Path(path))
+    if not content.startswith(b"PK"):
+        raise FormatError(
+            f"{path.name} is no archive of Leitmotion (.npz).",
+            remedy="If it is a recording, leitmotion.read reads it.",
+        )
     return from_bytes(content, path.name)
 
 
