@@ -315,6 +315,7 @@ def report(
     swap_sides: bool = False,
     opens_with: str = "repeats",
     mirrored: Mirrored | None = None,
+    symmetry: Symmetry | None = None,
     graph: MotionGraph | None = None,
     force: bool = False,
     **options: Any,
@@ -345,6 +346,8 @@ def report(
         What the page shows first; repeats where there is no such thing to show.
     mirrored : Mirrored, optional
         What :func:`compare_with_mirror` made of this recording; by default what it makes by its own defaults.
+    symmetry : Symmetry, optional
+        What :func:`find_symmetry` found in `mirrored`; by default what it finds by its own defaults.
     graph : MotionGraph, optional
         What :func:`motion_graph` made of it, likewise; the page adds the mirror images.
     force : bool
@@ -402,7 +405,7 @@ def report(
         source=facts | dict(source or {}),
         labels=labels,
         labels_from=labels_from,
-        mirroring=mirroring_of(recording, body, body_map, mirrored),
+        mirroring=mirroring_of(recording, body, body_map, mirrored, symmetry),
         dynamics=dynamics_of(recording, body_map),
         graph=graph_of(recording, body, body_map, graph),
         opens_with=opens_with,

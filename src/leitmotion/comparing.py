@@ -48,6 +48,9 @@ class Mirrored(NamedTuple):
     bias: SideBias | None
     """The bias of the sides that was taken out; None where none was."""
 
+    chain: FeatureSequence
+    """The kinematic chain at those moments, without the bias."""
+
 
 def compare(
     recording: Recording,
@@ -169,7 +172,7 @@ def compare_with_mirror(
         own = active_weights(chain)
         shares = (own + own[[chain.names.index(mirror_role(name)) for name in chain.names]]) / 2
     moments, every = _thinned(averaged(chain, SPREAD_S)), _every(chain)
-    return Mirrored(double_metric(moments, metric=metric, weights=shares, beta=beta), every, taken)
+    return Mirrored(double_metric(moments, metric=metric, weights=shares, beta=beta), every, taken, moments)
 
 
 def _thinned(features: FeatureSequence) -> FeatureSequence:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from leitmotion.body import Body, Dynamics, dynamics
 from leitmotion.comparing import Mirrored, compare_with_mirror
 from leitmotion.describing import Recording, Roles
-from leitmotion.discovery import MotionGraph, racemized
+from leitmotion.discovery import MotionGraph, Symmetry, racemized
 from leitmotion.graphing import motion_graph
 from leitmotion.motion import DataError
 from leitmotion.symmetry import motifs_in
@@ -15,7 +15,11 @@ from leitmotion.view.symmetry_answer import no_symmetry
 
 
 def mirroring_of(
-    recording: Recording, body: Body, body_map: Roles | None = None, mirrored: Mirrored | None = None
+    recording: Recording,
+    body: Body,
+    body_map: Roles | None = None,
+    mirrored: Mirrored | None = None,
+    found: Symmetry | None = None,
 ) -> Mirroring | str:
     """Compare a recording with its mirror image, and find its motifs.
 
@@ -29,6 +33,8 @@ def mirroring_of(
         Which joints or markers stand for which role.
     mirrored : Mirrored, optional
         What :func:`leitmotion.compare_with_mirror` made of it; by default what it makes by its own defaults.
+    found : Symmetry, optional
+        The motifs in it, likewise.
 
     Returns
     -------
@@ -37,7 +43,7 @@ def mirroring_of(
     """
     try:
         made = mirrored or compare_with_mirror(recording, body_map=body_map)
-        return Mirroring(motifs_in(made, recording), made.distances)
+        return Mirroring(found or motifs_in(made, recording), made.distances)
     except DataError as error:
         return no_symmetry(body, error.message)
 

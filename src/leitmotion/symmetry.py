@@ -8,6 +8,9 @@ from leitmotion.comparing import Mirrored, compare_with_mirror
 from leitmotion.describing import Recording, Roles
 from leitmotion.discovery import Symmetry, SymmetrySpan
 from leitmotion.discovery import find_symmetry as find_in_moments
+from leitmotion.features import side_ways
+
+POSTURES = ("stillness", "state_repetition", "reflected_state_repetition")
 
 
 def find_symmetry(
@@ -88,12 +91,20 @@ def motifs_in(mirrored: Mirrored, recording: Recording, *, min_still_s: float = 
     }
     frames = len(recording)
     return Symmetry(
-        tuple(_in_frames(span, mirrored.every, frames) for span in told.spans),
+        tuple(_in_frames(_with_sides(span, mirrored), mirrored.every, frames) for span in told.spans),
         recording.rate,
         frames,
         parameters,
         told.strikes * mirrored.every,
     )
+
+
+def _with_sides(span: SymmetrySpan, mirrored: Mirrored) -> SymmetrySpan:
+    """Tell which side makes the movement of a stretch; a posture is none."""
+    if span.motif in POSTURES or (told := side_ways(mirrored.chain[span.start : span.stop])) is None:
+        return span
+    sided = span.replace(left_share=told.left_share)
+    return sided.replace(links=told.links) if sided.side in ("left", "right") else sided
 
 
 def _in_frames(span: SymmetrySpan, every: int, frames: int) -> SymmetrySpan:

@@ -100,7 +100,7 @@ def test_odd_recordings_are_answered_or_refused_in_a_sentence(run: Run, made: Pa
     jacks = made / "jacks.bvh"
     flat = odd.planar(tmp_path / "flat.npz", lm.read(jacks))
     refused = {
-        flat: "The kinematic chain needs joints in three dimensions, got two.\n",
+        flat: "The kinematic chain needs joints in three dimensions, got two. Give the same movement with its depth.",
         odd.hands_only(
             tmp_path / "hands.npz"
         ): "The kinematic chain begins with the trunk, but no pelvis is known",

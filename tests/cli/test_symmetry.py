@@ -16,6 +16,7 @@ from leitmotion.cli import shares, symmetry
 from leitmotion.discovery import notation
 from leitmotion.discovery.symmetry_span import MOTIFS
 from leitmotion.view.symmetry_words import CHIEF
+from oracles import motifs
 
 DOCS = Path(__file__).resolve().parents[2] / "docs" / "json.md"
 SCHEMA = json.loads(re.findall(r"```json\n(.*?)```", DOCS.read_text(encoding="utf-8"), re.DOTALL)[-1])
@@ -38,6 +39,25 @@ def test_a_person_reads_motifs_in_plain_words_and_in_those_of_the_thesis(run: Ru
         "The bias of the sides in the mean posture ("
         in run("symmetry", made / "jacks.bvh", "--bias", "mean").stdout
     )
+
+
+def test_it_tells_which_side_moves_and_the_page_says_the_same(run: Run, tmp_path: Path) -> None:
+    motion = motifs.movement("asymmetric_palindrome")
+    lm.write(motion, tmp_path / "arm.bvh")
+    found = lm.find_symmetry(lm.read(tmp_path / "arm.bvh"))
+    best = max(found.spans, key=lambda span: (span.motif == "asymmetric_palindrome", span.confidence))
+    told = run("symmetry", tmp_path / "arm.bvh", "-o", "arm.html", "--min-still", "0.3")
+    title, lead = told.stdout.splitlines()[:2]
+    assert title == f"The {best.side} side moves more."
+    assert f"the {best.side} side more: arm" in lead
+    assert f"{best.side}: arm" in told.stdout
+    assert json.dumps(lead)[1:-1] in Path("arm.html").read_text(encoding="utf-8")
+    document = json.loads(run("symmetry", tmp_path / "arm.bvh", "--json").stdout)
+    assert faults(document, SCHEMA) == []
+    for told_span, span in zip(document["result"]["spans"], found.spans, strict=True):
+        assert (told_span["side"] or "", tuple(told_span["links"])) == (span.side, span.links)
+    run("symmetry", tmp_path / "arm.bvh", "-o", "arm.csv")
+    assert [row["side"] for row in rows_of("arm.csv")] == [span.side for span in found.spans]
 
 
 def test_of_many_stretches_the_clearest_are_told_in_order(run: Run, made: Path, monkeypatch) -> None:

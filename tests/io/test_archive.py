@@ -94,7 +94,9 @@ def samples():
     yield SharedPatterns((pattern,), (pair,), ("a", "b"), [30, 60], [12, 10], {"gap_s": 2.0})
     yield SideBias(("left", "right"), rotations.normalize(rng.normal(size=(2, 4))), [0.1, 0.2], "mean", 7)
     yield DoubleMetric(values, values.T, "inner", 30.0, ("left", "right"), [0.5, 0.5], 20.0)
-    again = SymmetrySpan("path_repetition", 0, 3, 0.7, partner=(4, 9), reason="near")
+    again = SymmetrySpan(
+        "path_repetition", 0, 3, 0.7, partner=(4, 9), reason="near", left_share=0.2, links=("right_tibia",)
+    )
     walk = SymmetrySpan("anti_phase", 0, 9, 0.8, cyclic=True, marks=[0, 3, 6, 8])
     yield from (again, Symmetry((again, walk), 30, 9, {"beta": 20.0}, [4]))
     visit = Visit(0, 3, 9, reversed=True)
@@ -286,6 +288,11 @@ def test_foreign_and_damaged_files_are_one_sentence(tmp_path, rng):
     np.savez(path, poses=np.zeros((3, 4)))
     with pytest.raises(FormatError, match="without Leitmotion's header: it holds poses"):
         io.load(path)
+    (tmp_path / "dance.bvh").write_text("HIERARCHY\n")
+    with pytest.raises(
+        FormatError, match=r"dance\.bvh is no archive of Leitmotion \(\.npz\).*leitmotion\.read"
+    ):
+        io.load(tmp_path / "dance.bvh")
     np.savez(path, header=np.array([{"pickle": 1}], dtype=object))
     with pytest.raises(FormatError, match="damaged"):
         io.load(path)

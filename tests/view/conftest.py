@@ -121,8 +121,19 @@ def motifs_of(session: Any) -> Symmetry:
                 sorted({moment for pair in inside for moment in pair}) if motif.endswith("cycle") else halves
             )
             sure = 0.4 if motif.startswith("asymmetric") else 0.9
+            share, links = (0.9, ("left_femur", "left_tibia")) if sure < 0.5 else (0.5, ())
             spans.append(
-                SymmetrySpan(motif, first, last, sure, cyclic=True, marks=marks, reason=f"truth of {label}")
+                SymmetrySpan(
+                    motif,
+                    first,
+                    last,
+                    sure,
+                    cyclic=True,
+                    marks=marks,
+                    reason=f"truth of {label}",
+                    left_share=share,
+                    links=links,
+                )
             )
     left, right = whole["left side kick"][0], whole["right side kick"][0]
     spans.append(

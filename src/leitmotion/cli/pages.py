@@ -14,7 +14,7 @@ from leitmotion.cli.outputs import will_be_written
 from leitmotion.cli.progress import Progress
 
 if TYPE_CHECKING:
-    from leitmotion.api import Mirrored, MotionGraph, Patterns, Segmentation
+    from leitmotion.api import Mirrored, MotionGraph, Patterns, Segmentation, Symmetry
     from leitmotion.cli.recordings import Opened
 
 
@@ -30,6 +30,7 @@ def write_page(
     notes: Sequence[str] = (),
     opens_with: str = "repeats",
     mirrored: Mirrored | None = None,
+    symmetry: Symmetry | None = None,
     graph: MotionGraph | None = None,
 ) -> str:
     """Write the page that shows what recurs in a recording.
@@ -56,6 +57,8 @@ def write_page(
         What the page shows first.
     mirrored : Mirrored, optional
         The recording beside its mirror image, as it was asked for.
+    symmetry : Symmetry, optional
+        The motifs that were found in it.
     graph : MotionGraph, optional
         Its motion graph, likewise.
 
@@ -81,6 +84,7 @@ def write_page(
         exclude=options.exclude,
         opens_with=opens_with,
         mirrored=mirrored,
+        symmetry=symmetry,
         graph=graph,
         force=True,  # whether the page may be replaced was asked before any work
     )

@@ -41,7 +41,7 @@ OF_ONE = (".html", ".eaf", ".npz", *PICTURES)
 """Endings of what shows a single recording."""
 COLUMNS = (
     "path", "motif", "start", "stop", "start_s", "stop_s", "score", "cyclic",
-    "partner_start", "partner_stop", "partner_start_s", "partner_stop_s", "reason",
+    "partner_start", "partner_stop", "partner_start_s", "partner_stop_s", "side", "left_share", "links", "reason",
 )  # fmt: skip
 """Columns of the table, one row per stretch."""
 TOLD = 40
@@ -167,6 +167,9 @@ def symmetry_result(found: Symmetry, made: Mirrored, graph: MotionGraph) -> Docu
                 if span.partner is None
                 else stretch(*span.partner, rate=rate, label=span.motif, score=span.confidence),
                 "marks": span.marks,
+                "side": span.side or None,
+                "left_share": None if span.left_share is None else decimals(span.left_share, SCORE_DIGITS),
+                "links": list(span.links),
                 "reason": span.reason,
             }
             for span in found.spans
@@ -188,12 +191,11 @@ def _show(console: Console, found: Symmetry, result: Document) -> None:
     from leitmotion.view.counting import clock
     from leitmotion.view.symmetry_answer import LOOKED_FOR, symmetry_lead, symmetry_title
 
-    in_no_pattern = [""] * len(found.spans)
-    console.print(f"{symmetry_title(found, in_no_pattern)}.", style="bold")
-    console.print("".join(str(piece) for piece in symmetry_lead(found, in_no_pattern)))
+    console.print(f"{symmetry_title(found)}.", style="bold")
+    console.print(symmetry_lead(found))
     if found.spans:
         console.print()
-        headings = ("from and to", "", "motif", ">confidence", "again at")
+        headings = ("from and to", "", "motif", ">confidence", "side", "again at")
         print_table(console, headings, [_told(span, found.rate) for span in _clearest(found.spans)])
     else:
         console.print(LOOKED_FOR, style="dim")
@@ -220,21 +222,23 @@ def _clearest(spans: Sequence[SymmetrySpan]) -> list[SymmetrySpan]:
 def _told(span: SymmetrySpan, rate: float) -> tuple[str, ...]:
     """Make a row of the table that a person reads: the plain name, and the thesis's term."""
     from leitmotion.view.symmetry_words import TOLD as WORDS
+    from leitmotion.view.symmetry_words import limb_words, motif_name
 
-    words = WORDS[span.motif]
+    limbs = limb_words(span.links)
     return (
         _when(span.start, span.stop, rate),
-        words.name,
-        words.term + (", cyclic" if span.cyclic and not span.motif.endswith("cycle") else ""),
+        motif_name(span),
+        WORDS[span.motif].term + (", cyclic" if span.cyclic and not span.motif.endswith("cycle") else ""),
         f"{span.confidence:.2f}",
+        f"{span.side}: {limbs}" if limbs else span.side,
         _when(*span.partner, rate) if span.partner else "",
     )
 
 
 def _struck(when: Sequence[str]) -> str:
-    """Say at which moments the body stops or turns at a stroke: the first, and how many more."""
+    """Say at which moments a fast movement is stopped or thrown back at once: the first, and how many more."""
     more = f", and {len(when) - STRIKES} times more" if len(when) > STRIKES else ""
-    return f"Struck at {', '.join(when[:STRIKES])}{more}."
+    return f"Stops or turns abruptly (strikes) at {', '.join(when[:STRIKES])}{more}."
 
 
 def _when(start: int, stop: int, rate: float) -> str:
@@ -258,7 +262,15 @@ def _write_one(
     if ending == ".html":
         patterns = search(opened, replace(options, weights="equal"), progress)
         return write_page(
-            path, opened, patterns, options, progress, opens_with="symmetry", mirrored=made, graph=graph
+            path,
+            opened,
+            patterns,
+            options,
+            progress,
+            opens_with="symmetry",
+            mirrored=made,
+            symmetry=found,
+            graph=graph,
         )
     if ending == ".npz":
         return save_value(path, found)
@@ -300,5 +312,5 @@ def _rows(document: Document) -> Iterator[dict[str, object]]:
     path = document["source"][0]["path"]
     for span in document["result"]["spans"]:
         partner = {f"partner_{name}": value for name, value in (span["partner"] or {}).items()}
-        row = {"path": path} | span | partner
+        row = {"path": path} | span | partner | {"links": " ".join(span["links"])}
         yield {column: row.get(column) for column in COLUMNS}

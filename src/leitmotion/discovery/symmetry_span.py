@@ -42,6 +42,9 @@ PAIRED = (
 )
 """Motifs of two stretches, the second of which is the partner."""
 
+ONE_SIDE = 2 / 3
+"""Share of the way of both sides, from which on one side is said to move more."""
+
 
 @noun
 class SymmetrySpan(Noun):
@@ -64,11 +67,16 @@ class SymmetrySpan(Noun):
         last one ends; a palindrome turns back at every second of them.
     reason : str
         Why that confidence, in words.
+    left_share : float, optional
+        Way of the left arm and leg over that of both sides, 0 to 1: the sum of the angles that their links turn by in
+        the stretch, of a paired motif in the earlier one. None of a posture, and where no side moves.
+    links : tuple of str
+        Where one side moves more, its links whose way differs most from that of their twins.
 
     Raises
     ------
     ParameterError
-        When the motif is none, the stretch is empty, or a paired motif has no partner.
+        When the motif is none, the stretch is empty, a paired motif has no partner, or the share is none.
     """
 
     motif: str
@@ -79,6 +87,8 @@ class SymmetrySpan(Noun):
     partner: tuple[int, int] | None = None
     marks: np.ndarray = ()  # type: ignore[assignment]
     reason: str = ""
+    left_share: float | None = None
+    links: tuple[str, ...] = ()
 
     def __post_init__(self) -> None:
         if self.motif not in MOTIFS:
@@ -92,7 +102,22 @@ class SymmetrySpan(Noun):
                 raise ParameterError(
                     f"A stretch begins at 0 or later and ends after it began, got {start}, {stop}."
                 )
+        if self.left_share is not None and not 0 <= self.left_share <= 1:
+            raise ParameterError(f"SymmetrySpan.left_share is from 0 to 1, got {self.left_share}.")
+        object.__setattr__(self, "links", tuple(self.links))
         set_array(self, "marks", dtype=np.int64, shape=(None,))
+
+    @property
+    def side(self) -> str:
+        """Which side moves: "left" or "right" where it makes two thirds of the way or more, else "both".
+
+        Empty where that is not known.
+        """
+        if self.left_share is None:
+            return ""
+        return (
+            "left" if self.left_share >= ONE_SIDE else "right" if 1 - self.left_share >= ONE_SIDE else "both"
+        )
 
 
 @noun

@@ -13,6 +13,7 @@ from leitmotion.features.posture import choose_roles, posture
 from leitmotion.features.resampling import resample
 from leitmotion.features.rotations import joint_rotations
 from leitmotion.features.sequence import FeatureSequence
+from leitmotion.features.side_ways import SideWays, side_ways
 from leitmotion.features.velocity import velocity
 from leitmotion.features.weights import active_weights, weighted
 
@@ -22,6 +23,7 @@ __all__ = [
     "FeatureSequence",
     "Parts",
     "SideBias",
+    "SideWays",
     "active_weights",
     "averaged",
     "choose_roles",
@@ -37,6 +39,7 @@ __all__ = [
     "posture",
     "resample",
     "side_bias",
+    "side_ways",
     "symmetry_parts",
     "velocity",
     "weighted",

@@ -16,13 +16,13 @@ from leitmotion.view.plots import (
     tell_unit_of_time,
     time_ticks,
 )
-from leitmotion.view.symmetry_words import TOLD
+from leitmotion.view.symmetry_words import TOLD, lane_words
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-LANE, HEAD = 0.36, 2.35  # inches: height of a lane, width of its head
+LANE, HEAD = 0.36, 2.5  # inches: height of a lane, width of its head
 
 
 def plot_motifs(found: Symmetry, *, theme: str = "light", width: float = 8.0) -> Figure:
@@ -66,10 +66,10 @@ def plot_motifs(found: Symmetry, *, theme: str = "light", width: float = 8.0) ->
     style_axes(axes, colours)
     tell_unit_of_time(axes)
     for lane, motif in enumerate(motifs):
-        _head(axes, lane, motif, colours, width)
-        for span in found.spans:
-            if span.motif == motif:
-                _bar(axes, lane, span, found.rate, colours)
+        spans = [span for span in found.spans if span.motif == motif]
+        _head(axes, lane, lane_words(motif, spans), colours, width)
+        for span in spans:
+            _bar(axes, lane, span, found.rate, colours)
     if not motifs:
         axes.text(seconds / 2, 0.5, "No motif of symmetry was found", ha="center", va="center", color=colours.ink2,
                   fontsize=BODY)  # fmt: skip
@@ -90,10 +90,10 @@ def _bar(axes: Axes, lane: int, span: SymmetrySpan, rate: float, colours: Theme)
         axes.plot([mark / rate] * 2, [lane + 0.14, lane + 0.86], color=colours.ink, lw=0.7)
 
 
-def _head(axes: Axes, lane: int, motif: str, colours: Theme, width: float) -> None:
+def _head(axes: Axes, lane: int, words: tuple[str, str], colours: Theme, width: float) -> None:
     """The plain name, and the thesis's term under it."""
     inch = 1 / (width - HEAD - 0.15)
     place: dict[str, Any] = {"transform": axes.get_yaxis_transform(), "va": "center", "clip_on": False}
-    told = TOLD[motif]
-    axes.text(-(HEAD - 0.12) * inch, lane + 0.32, told.name, fontsize=SMALL, color=colours.ink, **place)
-    axes.text(-(HEAD - 0.12) * inch, lane + 0.7, told.term, fontsize=SMALL - 1, color=colours.ink2, **place)
+    name, term = words
+    axes.text(-(HEAD - 0.12) * inch, lane + 0.32, name, fontsize=SMALL, color=colours.ink, **place)
+    axes.text(-(HEAD - 0.12) * inch, lane + 0.7, term, fontsize=SMALL - 1, color=colours.ink2, **place)

@@ -2,8 +2,9 @@
 
 Conventions
 -----------
-A motif *alternates* the sides, moves both *together* or *favours* one. Only what is more likely right than wrong is
-said. A pattern is told by its letter; a stretch that no pattern holds is counted, under the first kind that fits it.
+A stretch *alternates* the sides, moves both *together*, moves *one* side more, or comes back *unmirrored*. Only what is
+more likely right than wrong is said. Stretches are counted, each under the first kind that fits it, whether a pattern
+holds it or not: a page and a terminal say the same.
 """
 
 from __future__ import annotations
@@ -13,123 +14,115 @@ from typing import NamedTuple
 
 from leitmotion.body import Body
 from leitmotion.discovery import Symmetry, SymmetrySpan
-from leitmotion.view.counting import count_word
-from leitmotion.view.words import Chip, Lead, joined, listed
+from leitmotion.view.counting import clock, count_word
+from leitmotion.view.symmetry_words import limb_words, motif_name
 
 ALTERNATE = ("anti_phase", "anti_palindrome")
 TOGETHER = ("symmetric_palindrome", "symmetric_cycle", "symmetric_path")
-FAVOUR = ("asymmetric_palindrome", "asymmetric_cycle")
-KINDS = {"alternate": ALTERNATE, "together": TOGETHER, "favour": FAVOUR}
+UNMIRRORED = ("asymmetric_palindrome", "asymmetric_cycle")
 VERBS = {
-    # one pattern, several, and stretches that no pattern holds, one and several
-    "alternate": (
-        " returns as its own mirror image. ",
-        " return as their own mirror image. ",
-        ("alternates sides", "alternate sides"),
-    ),
-    "together": (
-        " moves both sides together. ",
-        " move both sides together. ",
-        ("moves both sides together", "move both sides together"),
-    ),
-    "favour": (" favours one side. ", " favour one side. ", ("favours one side", "favour one side")),
+    # of one stretch, of several
+    "alternate": ("alternates sides", "alternate sides"),
+    "together": ("moves both sides together", "move both sides together"),
+    "left": ("moves the left side more", "move the left side more"),
+    "right": ("moves the right side more", "move the right side more"),
+    "unmirrored": ("comes back, but not mirrored", "come back, but not mirrored"),
 }
+"""What is said of the kinds, in the order in which they are told."""
 TRUNK = ("pelvis", "neck", "left_hip", "right_hip", "left_shoulder", "right_shoulder")
 SURE = 0.5  # confidence from which a stretch is more likely right than wrong
 LOOKED_FOR = (
     "Stretches that are their own mirror image at once, half a cycle later or backwards, and ways and postures that "
     "come again, as they were or with the sides exchanged."
 )
+NOTHING_MIRRORED = "Nothing comes back mirrored clearly enough"
 NOT_COMPUTED = "The symmetry of this recording was not computed."
 MOSTLY = 0.5  # of a recording, that a kind has to fill to be told without its stretches
+ALL = 0.9  # of a recording, that stillness has to fill to be all of it
 
 
 class Claim(NamedTuple):
     """What is said of one kind."""
 
-    letters: list[str]
-    """Of the patterns that are of it most of all."""
-
-    loose: int
-    """Stretches that none of these holds."""
-
     stretches: int
-    """All of them."""
+    """How many there are."""
 
     frames: int
     """How long they are together."""
 
+    limbs: str
+    """Which limbs differ most, where one side moves more."""
 
-def symmetry_title(found: Symmetry, letters: Sequence[str]) -> str:
+
+def symmetry_title(found: Symmetry) -> str:
     """Say what was found, as the heading of the view.
 
     Parameters
     ----------
     found : Symmetry
         What was found.
-    letters : sequence of str
-        For each span that of the pattern which it lies in; empty where none holds it.
 
     Returns
     -------
     str
-        For example ``"Two ways of moving alternate sides"``.
+        For example ``"The sides alternate in two stretches"``.
 
     Examples
     --------
     >>> walk = SymmetrySpan("anti_phase", 0, 90, 0.9, cyclic=True, marks=[0, 30, 60, 90])
-    >>> symmetry_title(Symmetry((walk,), 30.0, 90, {}), ["A"])
-    'One way of moving alternates sides'
+    >>> symmetry_title(Symmetry((walk,), 30.0, 90, {}))
+    'The sides alternate'
     """
-    claims = _claims(found.spans, letters)
-    kind = max(claims, key=lambda kind: claims[kind].frames)
-    claim = claims[kind]
-    if claim.frames and kind == "alternate":
-        return _alternating(claim)
-    if claim.frames and kind == "together":
-        return f"Both sides move together{'' if claim.frames > MOSTLY * found.frames else _where(claim)}"
-    if _mirrored_again(found.spans):
-        return "Movements come back mirrored"
-    if claim.frames:
-        return "No side mirrors the other" if _alone(claims, kind) else f"One side is favoured{_where(claim)}"
+    claims = _claims(found.spans)
+    frames = {kind: claim.frames for kind, claim in claims.items()}
+    one_side = frames["left"] + frames["right"]
+    most = max(*frames.values(), one_side)
+    if most and frames["alternate"] == most:
+        return f"The sides alternate{_where(claims['alternate'], found)}"
+    if most and frames["together"] == most:
+        return f"Both sides move together{_where(claims['together'], found)}"
+    if again := _mirrored_again(found.spans):
+        return "One movement comes back mirrored" if again == 1 else "Movements come back mirrored"
+    if most and one_side == most:
+        if frames["left"] and frames["right"]:
+            return "One side moves more, now the left, now the right"
+        side = "left" if frames["left"] else "right"
+        return f"The {side} side moves more{_where(claims[side], found)}"
+    if most:
+        mirrored = frames["alternate"] or frames["together"]
+        return "Movements come back, but not mirrored" if mirrored else NOTHING_MIRRORED
+    if (still := _still(found)) > MOSTLY:
+        return f"The body keeps still{'' if still >= ALL else ' most of the time'}"
     return "No symmetry is clear here" if _moving(found.spans) else "No symmetry shows here"
 
 
-def symmetry_lead(found: Symmetry, letters: Sequence[str]) -> Lead:
-    """Say in one line which pattern treats the sides how; of what no pattern of its kind tells, in how many stretches.
+def symmetry_lead(found: Symmetry) -> str:
+    """Say in how many stretches the movement treats the sides how, and what was nearly found where nothing mirrors.
 
     Parameters
     ----------
     found : Symmetry
         What was found.
-    letters : sequence of str
-        For each span that of the pattern which it lies in; empty where none holds it.
 
     Returns
     -------
-    tuple of str and Chip
-        The pieces of the line, in order.
+    str
+        A few plain sentences.
     """
-    claims = _claims(found.spans, letters)
-    pieces: list[str | Chip] = []
-    for kind, (one, several, elsewhere) in VERBS.items():
-        claim = claims[kind]
-        if claim.letters:
-            pieces += [*listed(claim.letters), one if len(claim.letters) == 1 else several]
-        elif claim.loose:
-            what = "stretch" if claim.loose == 1 else "stretches"
-            pieces.append(f"{count_word(claim.loose).capitalize()} {what} {elsewhere[claim.loose > 1]}. ")
+    claims = _claims(found.spans)
+    told = []
+    for kind, verbs in VERBS.items():
+        count, _, limbs = claims[kind]
+        if count:
+            told.append(f"{_counted(count)} {verbs[count > 1]}{f': {limbs}' * bool(limbs)}.")
     again = _mirrored_again(found.spans)
     if again and not claims["alternate"].frames:
-        come = "One stretch comes" if again == 1 else f"{count_word(again).capitalize()} stretches come"
-        pieces.append(f"{come} again with the sides exchanged.")
-    if pieces:
-        return tuple(joined(pieces))
-    if _moving(found.spans):
-        return (
-            "No stretch tells clearly how the two sides move together: none is more likely right than wrong.",
-        )
-    return ("No stretch was clear enough to say how the two sides move together.",)
+        told.append(f"{_counted(again)} {'comes' if again == 1 else 'come'} again with the sides exchanged.")
+    if not told:
+        told.append(_why_nothing(found))
+    if not (again or claims["alternate"].frames or claims["together"].frames):
+        told += _nearest_miss(found)
+    return " ".join(told)
 
 
 def empty_symmetry(apart: float | None, unit: str) -> str:
@@ -174,52 +167,86 @@ def no_symmetry(body: Body, why: str) -> str:
         The sentence.
     """
     if body.positions.shape[2] == 2:
-        return "Symmetry needs joints in three dimensions; this recording has two."
+        return (
+            "Symmetry needs joints in three dimensions; this recording has two. Give the same movement with its "
+            "depth."
+        )
     if not set(TRUNK) <= set(body.roles):
-        return "Symmetry needs a body whose trunk and sides are known; here they are not."
+        missing = next(role for role in TRUNK if role not in body.roles).replace("_", " ")
+        return (
+            f"Symmetry is told from the trunk on, and no {missing} is known here. Name it in a map file (--map), "
+            "if the recording has it."
+        )
     return f"The symmetry of this recording cannot be told: {why}"
 
 
-def _claims(spans: Sequence[SymmetrySpan], letters: Sequence[str]) -> dict[str, Claim]:
-    """Sort what is sure by kinds; a pattern is of the kind that has the most of it, weighed by confidence."""
-    weights: dict[str, dict[str, float]] = {}
-    sure: dict[str, list[tuple[SymmetrySpan, str]]] = {kind: [] for kind in KINDS}
-    for span, letter in zip(spans, letters, strict=True):
-        kind = next((kind for kind, held in KINDS.items() if span.motif in held), None)
-        if kind is None:
-            continue
-        if letter:
-            of = weights.setdefault(letter, dict.fromkeys(KINDS, 0.0))
-            of[kind] += span.confidence * (span.stop - span.start)
-        if span.confidence >= SURE:
-            sure[kind].append((span, letter))
-    chief = {letter: max(KINDS, key=of.__getitem__) for letter, of in weights.items()}
+def _claims(spans: Sequence[SymmetrySpan]) -> dict[str, Claim]:
+    """Sort what is sure by kinds; what a kind before it covers by half is not told once more."""
     claims: dict[str, Claim] = {}
     before: list[SymmetrySpan] = []
-    for kind in KINDS:
-        lettered = {letter for _, letter in sure[kind] if letter and kind == chief[letter]}
-        own = [span for span, letter in sure[kind] if letter in lettered]
-        rest = [span for span, letter in sure[kind] if not letter and not _covered(span, before + own)]
-        count, frames = _stretches(own + rest)
-        claims[kind] = Claim(sorted(lettered), count - _stretches(own)[0], count, frames)
-        before += own + rest
+    for kind in VERBS:
+        sure = [span for span in spans if span.confidence >= SURE and _kind(span) == kind]
+        own = [span for span in sure if not _covered(span, before)]
+        one_side = kind in ("left", "right")
+        claims[kind] = Claim(
+            *_stretches(own), limb_words(link for span in own for link in span.links) if one_side else ""
+        )
+        before += own
     return claims
 
 
-def _alternating(claim: Claim) -> str:
-    if claim.loose:
-        return f"The sides alternate{_where(claim) if claim.stretches > 1 else ''}"
-    if len(claim.letters) > 1:
-        return f"{count_word(len(claim.letters)).capitalize()} ways of moving alternate sides"
-    return "One way of moving alternates sides"
+def _kind(span: SymmetrySpan) -> str:
+    if span.motif in ALTERNATE:
+        return "alternate"
+    if span.motif in TOGETHER:
+        return "together"
+    if span.motif in UNMIRRORED:
+        return span.side if span.side in ("left", "right") else "unmirrored"
+    return ""
 
 
-def _where(claim: Claim) -> str:
+def _where(claim: Claim, found: Symmetry) -> str:
+    """In how many stretches, unless they fill most of the recording."""
+    if claim.frames > MOSTLY * found.frames:
+        return ""
     return f" in {count_word(claim.stretches)} {'stretch' if claim.stretches == 1 else 'stretches'}"
 
 
-def _alone(claims: dict[str, Claim], kind: str) -> bool:
-    return not any(claim.frames for other, claim in claims.items() if other != kind)
+def _counted(count: int) -> str:
+    return f"{count_word(count).capitalize()} {'stretch' if count == 1 else 'stretches'}"
+
+
+def _why_nothing(found: Symmetry) -> str:
+    still = _still(found)
+    if still >= ALL:
+        return "It moves too little to tell how the two sides move together."
+    if still > MOSTLY:
+        return (
+            f"It does so {still:.0%} of the time, and no other stretch tells how the two sides move together."
+        )
+    if _moving(found.spans):
+        return (
+            "No stretch tells clearly how the two sides move together: none is more likely right than wrong."
+        )
+    return "No stretch was clear enough to say how the two sides move together."
+
+
+def _nearest_miss(found: Symmetry) -> list[str]:
+    """Say what came nearest to being mirrored, and how near."""
+    mirroring = (*ALTERNATE, *TOGETHER, "reflected_path_repetition")
+    misses = [span for span in found.spans if span.motif in mirroring and span.confidence < SURE]
+    if not misses:
+        return []
+    best = max(misses, key=lambda span: span.confidence)
+    name = motif_name(best)
+    when = f"{clock(best.start / found.rate)} to {clock(best.stop / found.rate)}"
+    return [f"Nearest to it, {when}: {name[0].lower()}{name[1:]}, confidence {best.confidence:.2f}."]
+
+
+def _still(found: Symmetry) -> float:
+    """Share of the recording in which the body keeps still."""
+    frames = _stretches([span for span in found.spans if span.motif == "stillness"])[1]
+    return frames / max(found.frames, 1)
 
 
 def _mirrored_again(spans: Sequence[SymmetrySpan]) -> int:

@@ -27,11 +27,12 @@ from leitmotion.view.symmetry_words import (
     TOLD,
     half_alike,
     lane_words,
+    motif_name,
+    side_words,
     span_name,
     span_sentence,
     span_tip,
 )
-from leitmotion.view.words import Lead
 
 CELLS = 600
 HELD = 0.5  # of a span, that a pattern has to hold to give it its letter
@@ -79,8 +80,8 @@ def symmetry_payload(
     seen = apart[np.isfinite(apart)]
     index = {role: r for r, role in enumerate(body.roles)}
     return {
-        "title": symmetry_title(found, letters),
-        "lead": _pieces(symmetry_lead(found, letters)),
+        "title": symmetry_title(found),
+        "lead": [symmetry_lead(found)],
         "empty": empty_symmetry(float(np.median(seen)) * factor if len(seen) else None, unit),
         "looked_for": LOOKED_FOR,
         "half": half_alike(float(np.degrees(distances.half_angle))),
@@ -160,6 +161,11 @@ def _span(
         "cyclic": span.cyclic,
         "confidence": span.confidence,
         "reason": span.reason,
+        "plain": motif_name(span),
+        "side": span.side,
+        "left_share": span.left_share,
+        "links": list(span.links),
+        "sides": side_words(span),
         "name": span_name(span, rate, letter, k, count),
         "tip": span_tip(span, rate, letter),
         "sentence": sentence,
@@ -199,10 +205,6 @@ def _rows(spans: Sequence[SymmetrySpan]) -> list[int]:
         ends[row] = max(ends[row], reach)
         rows.append(row)
     return rows
-
-
-def _pieces(lead: Lead) -> list[str | dict[str, str]]:
-    return [piece if isinstance(piece, str) else {"chip": piece.id} for piece in lead]
 
 
 def _quanta(lengths: np.ndarray) -> dict[str, Any]:

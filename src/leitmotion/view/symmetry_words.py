@@ -4,6 +4,7 @@ Conventions
 -----------
 A motif's plain name comes first, the thesis's term under it. The *chief* motifs tell how a movement treats the two
 sides; the others tell which posture or way comes again. A span that lies in a pattern is called by its letter.
+*Asymmetric* means no more than not mirrored; only where one side makes two thirds of the way is it said to be one side.
 
 References
 ----------
@@ -12,7 +13,7 @@ Paper S, sections 3.2 to 3.5.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from typing import NamedTuple
 
 from leitmotion.discovery import SymmetrySpan
@@ -65,17 +66,23 @@ CHIEF = {
         "the diagonal is white",
     ),
     "asymmetric_palindrome": Motif(
-        "One side, out and back", "asymmetric palindrome", "way",
-        "{it} favours one side, and comes back the way it went.",
+        "Out and back, not mirrored", "asymmetric palindrome", "way",
+        "{it} comes back the way it went, and is not its own mirror image.",
         "red lines cross the diagonal, with no cyan on them",
     ),
     "asymmetric_cycle": Motif(
-        "One side, repeating", "asymmetric cycle", "cycle",
-        "{it} favours one side, again and again.",
+        "Comes round, not mirrored", "asymmetric cycle", "cycle",
+        "{it} comes round, and is not its own mirror image.",
         "red stripes run alone, with no cyan between them",
     ),
 }  # fmt: skip
 """Motifs that tell how the sides move together, in the order of their lanes."""
+
+ONE_SIDED = {
+    "asymmetric_palindrome": "One side, out and back",
+    "asymmetric_cycle": "One side, repeating",
+}
+"""What a motif is called where one side moves more."""
 
 OTHERS = {
     "reflected_path_repetition": Motif(
@@ -127,6 +134,70 @@ FITS = {
 """What is laid under the figure while such a stretch plays."""
 
 
+def motif_name(span: SymmetrySpan) -> str:
+    """Name what a stretch is, plainly.
+
+    Parameters
+    ----------
+    span : SymmetrySpan
+        The stretch.
+
+    Returns
+    -------
+    str
+        That of its motif; of an asymmetric one another where one side moves more.
+
+    Examples
+    --------
+    >>> motif_name(SymmetrySpan("asymmetric_cycle", 0, 90, 0.9, left_share=0.1))
+    'One side, repeating'
+    """
+    one_sided = span.side in ("left", "right")
+    return ONE_SIDED.get(span.motif, TOLD[span.motif].name) if one_sided else TOLD[span.motif].name
+
+
+def limb_words(links: Iterable[str]) -> str:
+    """Name the limbs that links belong to.
+
+    Parameters
+    ----------
+    links : iterable of str
+        Of one side or both.
+
+    Returns
+    -------
+    str
+        "arm", "leg", "arm and leg", or empty.
+    """
+    limbs = {"arm" if link.endswith(("humerus", "radius")) else "leg" for link in links}
+    return " and ".join(sorted(limbs))
+
+
+def side_words(span: SymmetrySpan) -> str:
+    """Say which side moves more in a stretch, how much of the way it makes, and which limbs differ most.
+
+    Parameters
+    ----------
+    span : SymmetrySpan
+        The stretch.
+
+    Returns
+    -------
+    str
+        Empty where no side moves more, or that is not known.
+
+    Examples
+    --------
+    >>> side_words(SymmetrySpan("asymmetric_cycle", 0, 90, 0.9, left_share=0.15, links=("right_humerus",)))
+    'the right side moves more (85% of the way): arm'
+    """
+    if span.left_share is None or span.side == "both":
+        return ""
+    share = span.left_share if span.side == "left" else 1 - span.left_share
+    limbs = limb_words(span.links)
+    return f"the {span.side} side moves more ({share:.0%} of the way){': ' * bool(limbs)}{limbs}"
+
+
 def span_sentence(span: SymmetrySpan, rate: float) -> tuple[str, str]:
     """Say what a stretch is, and how that looks in the matrix.
 
@@ -146,7 +217,10 @@ def span_sentence(span: SymmetrySpan, rate: float) -> tuple[str, str]:
     """
     told = TOLD[span.motif]
     when = clock(span.partner[0] / rate) if span.partner else ""
-    return told.sentence.replace("{when}", when), f"In the matrix, {told.picture}."
+    sentence = told.sentence.replace("{when}", when)
+    if span.motif in ONE_SIDED and (sides := side_words(span)):
+        sentence = f"{sentence[:-1]}: {sides}."
+    return sentence, f"In the matrix, {told.picture}."
 
 
 def lane_words(motif: str, spans: Sequence[SymmetrySpan]) -> tuple[str, str]:
@@ -165,9 +239,10 @@ def lane_words(motif: str, spans: Sequence[SymmetrySpan]) -> tuple[str, str]:
         For example ``("Alternates sides", "anti-phase cycle")``.
     """
     told = TOLD[motif]
+    names = {motif_name(span) for span in spans}
     goes_on = all(span.cyclic for span in spans) and not told.term.endswith("cycle") and motif in CHIEF
     return (
-        told.name,
+        names.pop() if len(names) == 1 else told.name,
         f"{told.term} cycle" if goes_on and motif == "anti_phase" else f"{told.term}{', cyclic' * goes_on}",
     )
 
@@ -189,10 +264,8 @@ def span_tip(span: SymmetrySpan, rate: float, letter: str = "") -> str:
     str
         For example ``"A, alternates sides · 0:33.9 to 0:38.1 · 4 half-cycles of 0.62 s · confidence 0.82: …"``.
     """
-    told = TOLD[span.motif]
-    parts = [
-        (f"{letter}, " if letter else "") + (told.name[0].lower() if letter else told.name[0]) + told.name[1:]
-    ]
+    told, name = TOLD[span.motif], motif_name(span)
+    parts = [f"{letter}, {name[0].lower()}{name[1:]}" if letter else name]
     parts.append(f"{clock(span.start / rate)} to {clock(span.stop / rate)}")
     if span.partner:
         parts.append(f"and {clock(span.partner[0] / rate)} to {clock(span.partner[1] / rate)}")
@@ -201,6 +274,8 @@ def span_tip(span: SymmetrySpan, rate: float, letter: str = "") -> str:
         parts.append(
             f"{plural(count, told.field)} of {float(span.marks[-1] - span.marks[0]) / count / rate:.2f} s"
         )
+    if sides := side_words(span):
+        parts.append(sides)
     reason = f": {span.reason.rstrip('.')}" if span.reason else ""
     return " · ".join([*parts, f"confidence {span.confidence:.2f}{reason}"])
 
@@ -229,7 +304,7 @@ def span_name(span: SymmetrySpan, rate: float, letter: str, k: int, count: int) 
     again = (
         f", and {span.partner[0] / rate:.1f} to {span.partner[1] / rate:.1f} seconds" if span.partner else ""
     )
-    return f"{TOLD[span.motif].name}{within}, {k + 1} of {count}, {where}{again}"
+    return f"{motif_name(span)}{within}, {k + 1} of {count}, {where}{again}"
 
 
 def half_alike(degrees: float) -> str:

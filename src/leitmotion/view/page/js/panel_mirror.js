@@ -27,7 +27,7 @@ const SURE = 0.5; // below it is hatched
 
 // A sentence about a stretch, with the letter of its pattern, and how it looks in the matrix.
 function spanWords(span) {
-  if (span.confidence < SURE) return `Perhaps ${lowerFirst(symmetry.lanes[span.lane].name)}: uncertain, confidence ${span.confidence.toFixed(2)}.`;
+  if (span.confidence < SURE) return `Perhaps ${lowerFirst(span.plain)}: uncertain, confidence ${span.confidence.toFixed(2)}.`;
   const [before, after] = span.sentence.split("{it}");
   if (after === undefined) return `${before} ${span.picture}`;
   const it = span.pattern === null ? ["This movement"] : ["Pattern ", chip(span.pattern)];
@@ -43,7 +43,7 @@ function nowInTheMirrorSentence() {
   const apart = lopsidednessAt(state.time);
   const span = spanAt(state.time);
   const far = Number.isNaN(apart) ? WORDS.unknown : `${sidesWord(apart)} from its own mirror image, on average.`;
-  const name = span && symmetry.lanes[span.lane].name;
+  const name = span?.plain;
   const told = !span ? "" : span.confidence < SURE ? ` Perhaps ${lowerFirst(name)}.` : ` ${name}.`;
   return `Now ${momentWord(state.time)}. ${far}${told}`;
 }

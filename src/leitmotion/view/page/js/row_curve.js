@@ -96,7 +96,7 @@ function bandOf({ start, stop, tip }) {
 }
 
 function strikeOf(time) {
-  const tip = `A strike at ${clockWord(time)}: a fast movement is stopped or thrown back at once`;
+  const tip = `An abrupt stop or turn (strike) at ${clockWord(time)}: a fast movement is stopped or thrown back at once`;
   const tick = make("i", "strike", "", { role: "img", "aria-label": tip, title: tip });
   tick.style.left = across(time) + "px";
   return tick;
