@@ -30,8 +30,8 @@ def no_graph(body: Body, why: str) -> str:
     """
     if body.positions.shape[2] == 2:
         return (
-            "The motion graph needs joints in three dimensions; this recording has two. Give the same movement with its "
-            "depth."
+            "The motion graph needs joints in three dimensions; this recording has two. Give the same movement "
+            "with its depth."
         )
     return f"The motion graph of this recording cannot be drawn: {why}"
 
