@@ -2,9 +2,10 @@
 
 Conventions
 -----------
-A confidence is a product of shares, each from 0 to 1: how near the movement comes to itself, one less the square of
-its mean distance over what is alike; how much of the stretch its signals tell; and how clearly its postures are
-symmetric, or are not. So those of two motifs that fit one stretch can be compared.
+A confidence is a product of shares, each from 0 to 1: how near the movement comes to itself, one less a power of its
+mean distance over what is alike; how much of the stretch its signals tell; and how clearly its postures are symmetric,
+or are not. So those of two motifs that fit one stretch can be compared. The power is greater for what goes on: the like
+of it was seen more often, so that it is the same at a greater distance.
 
 References
 ----------
@@ -36,6 +37,7 @@ LESS_SPECIAL = 0.2  # of the confidence of an anti-palindrome, that being anti-p
 IMPLIED = 0.6  # of a form, that another tells which implies it
 GOES_ON = 3  # marks: of more than two cycles
 IMPLYING = 0.6  # of the confidence of what is implied, that what implies it has at least
+FEW, MANY = 3, 4  # power of the distance over what is alike: of what came back once, of what goes on
 ONCE = 0.75  # of the confidence that what came back once has, since nothing shows that it would again
 NAMES = {
     # mirror, reversed: where symmetric, where not, and what it is implied by
@@ -111,7 +113,7 @@ def name_pair(motif: str, pair: Pair, waypoints: Waypoints) -> Named:
         sure = 1 - max(_symmetric(waypoints, *pair.earlier), _symmetric(waypoints, *pair.later))
     alike = float(np.degrees(waypoints.alike[pair.later[0] : pair.later[1] + 1].mean()))
     reason = f"The two are {pair.cost * alike:.1f}° of a mean link apart, {alike:.1f}° would be alike."
-    return Named(motif, pair.earlier, sure * (1 - pair.cost**2), reason, partner=pair.later)
+    return Named(motif, pair.earlier, sure * (1 - pair.cost**FEW), reason, partner=pair.later)
 
 
 def name_loop(loop: Pair, waypoints: Waypoints) -> Named:
@@ -119,7 +121,7 @@ def name_loop(loop: Pair, waypoints: Waypoints) -> Named:
     first, last = loop.earlier[0], loop.later[0]
     motif, sure = _of_sides(_symmetric(waypoints, first, last), *NAMES[False, False])
     reason = f"It comes back once; {_told_sides(waypoints, first, last)}."
-    return Named(motif, (first, last), ONCE * sure * (1 - loop.cost**2), reason)
+    return Named(motif, (first, last), ONCE * sure * (1 - loop.cost**FEW), reason)
 
 
 def name_symmetric(forms: Sequence[Named], waypoints: Waypoints) -> list[Named]:
@@ -161,9 +163,8 @@ def _named(form: Form, waypoints: Waypoints) -> Named:
         f"{alike:.1f}° would be alike; {form.covered:.0%} of it is told; {sides}."
     )
     cyclic = ways >= 2 * WAYS.get((form.mirror, form.reversed), 2)
-    return Named(
-        motif, form.marks, sure * (1 - form.cost**2) * form.covered, reason, cyclic, None, form.moments
-    )
+    near = 1 - form.cost ** (MANY if cyclic else FEW)
+    return Named(motif, form.marks, sure * near * form.covered, reason, cyclic, None, form.moments)
 
 
 def _of_sides(symmetric: float, motif: str, asymmetric: str) -> tuple[str, float]:

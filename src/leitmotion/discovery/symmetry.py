@@ -35,7 +35,7 @@ from leitmotion.similarity import DoubleMetric, still_spans
 STILL_SHARE = 0.6  # of the angle of half likeness, that a body which keeps still stays within
 STILL = np.radians(5.0), np.radians(6.5)  # bounds of that, of a mean link
 DRIFT = np.radians(8.0)  # a second, of a body that keeps still: one that passes slowly is faster
-CLEAR = 0.4  # confidence of a form that tells of what lies within it
+CLEAR = 0.5  # confidence of a form that tells of what lies within it
 SAME_PAIR = 0.6  # of both stretches of a pair, in those of another
 
 
