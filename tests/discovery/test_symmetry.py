@@ -109,6 +109,20 @@ def test_the_other_side_is_a_reflected_path():
     assert "anti_phase" not in names
 
 
+@pytest.mark.parametrize(("width", "course"), [(0.45, "palindrome"), (0.8, "cycle")])
+@pytest.mark.parametrize("one", [False, True])
+def test_once_out_and_back_is_judged_by_how_far_it_leads(width, course, one):
+    turned = 2 * np.pi * np.arange(120) / 120
+    oval = np.stack((1.1 * (1 - np.cos(turned)), 1.1 * width * np.sin(turned)), axis=1)
+    left = np.concatenate((made.rest(30), oval, made.rest(30)))
+    best = leading(told(made.human_doing(left, made.rest(len(left)) if one else left)))
+    assert best.motif == f"{'a' if one else ''}symmetric_{course}"
+    assert not best.cyclic
+    assert best.confidence >= 0.5
+    assert abs(best.start - 30) <= 12
+    assert abs(best.stop - 150) <= 12
+
+
 def test_an_offset_of_one_side_leaves_a_symmetric_movement_symmetric():
     left = made.there_and_back(60, 3)
     found = told(made.human_doing(left, left + np.radians([10.0, 0.0])))

@@ -14,7 +14,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from leitmotion.discovery.forms import Form, runs_of_cycles, runs_of_turns
+from leitmotion.discovery.excursions import excursions
+from leitmotion.discovery.forms import Form, covered_by, runs_of_cycles, runs_of_turns
 from leitmotion.discovery.labour import ahead
 from leitmotion.discovery.naming import (
     LEAST_CONFIDENCE,
@@ -36,7 +37,7 @@ STILL_SHARE = 0.6  # of the angle of half likeness, that a body which keeps stil
 STILL = np.radians(5.0), np.radians(6.5)  # bounds of that, of a mean link
 DRIFT = np.radians(8.0)  # a second, of a body that keeps still: one that passes slowly is faster
 CLEAR = 0.5  # confidence of a form that tells of what lies within it
-SAME_PAIR = 0.6  # of both stretches of a pair, in those of another
+SAME = 0.6  # of a form, or of both stretches of a pair, in another
 
 
 def find_symmetry(found: DoubleMetric, *, min_still_s: float = 0.5) -> Symmetry:
@@ -76,8 +77,10 @@ def find_symmetry(found: DoubleMetric, *, min_still_s: float = 0.5) -> Symmetry:
         *runs_of_turns(signals[True, True], waypoints, halves),
     ]
     told = name_forms(forms, waypoints)
+    once = name_forms(excursions(waypoints, _clear(told)), waypoints)
+    told = [one for one in told if not any(_again(one, other) for other in once)] + once
     named = [each for _, each in told]
-    named += _pairs(signals, [form for form, each in told if each.confidence >= CLEAR], waypoints)
+    named += _pairs(signals, _clear(told), waypoints)
     named += name_symmetric(named, waypoints)
     spans = [_span(each, waypoints) for each in named if each.confidence >= LEAST_CONFIDENCE]
     spans += _still(found, min_still_s)
@@ -94,6 +97,15 @@ def find_symmetry(found: DoubleMetric, *, min_still_s: float = 0.5) -> Symmetry:
         },
         find_strikes(found),
     )
+
+
+def _clear(told: list[tuple[Form, Named]]) -> list[Form]:
+    return [form for form, each in told if each.confidence >= CLEAR]
+
+
+def _again(one: tuple[Form, Named], other: tuple[Form, Named]) -> bool:
+    """Whether another tells for the most part what one tells."""
+    return one[1].motif == other[1].motif and covered_by(one[0], other[0]) > SAME
 
 
 def _lasting_deg(waypoints: Waypoints) -> float:
@@ -132,7 +144,7 @@ def _pairs(
 
 def _same(pair: Pair, other: Pair) -> bool:
     return all(
-        min(one[1], two[1]) - max(one[0], two[0]) > SAME_PAIR * (one[1] - one[0])
+        min(one[1], two[1]) - max(one[0], two[0]) > SAME * (one[1] - one[0])
         for one, two in ((pair.earlier, other.earlier), (pair.later, other.later))
     )
 
