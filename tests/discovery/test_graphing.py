@@ -289,3 +289,16 @@ def test_a_hand_raised_is_the_mirror_image_of_the_other_in_another_recording(dat
 def test_movements_of_different_size_keep_their_graphs_side_by_side(data):
     walk, jacks = (lm.read(data / "cmu_bvh" / name) for name in ("cmu_12_01_walk.bvh", "jumping_jacks.bvh"))
     assert written(lm.motion_graph([walk, jacks])) == "A, A*, X̄, Ȳ; aa* →, (aa*)* →, x̄y ↔"
+
+
+@pytest.mark.data
+@pytest.mark.parametrize("window", [(200, 960), (240, 900), (240, 960), (250, 950), (300, 960)])
+def test_what_is_held_is_a_state_whatever_the_window(data, window):
+    first, last = window
+    whole = lm.read(data / "cmu_amc/135_06-martialArts.amc")
+    graph = lm.motion_graph(whole[first:last])
+    punch, block = 384 - first, 720 - first  # 3.2 s and 6.0 s, each held for 0.7 s
+    for held in (punch, block):
+        assert any(visit.start <= held < visit.stop for state in graph.states for visit in state.visits)
+    assert 2 <= len(graph.states) <= 3
+    assert 1 <= len(graph.paths) <= 3

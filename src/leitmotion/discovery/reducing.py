@@ -4,6 +4,8 @@ A posture through which every way leads on in one and the same manner parts noth
 and what leads on are one path. It stays a state all the same
 
 - where the body keeps still in it;
+- where a recording ends in it on a way by which the body never else came, or begins with one by which it never else
+  went;
 - where it is the turning point of the only path that its neighbour has, or of that and its mirror image: there and
   back again, as in jumping jacks, else it is a reversible loop of its neighbour;
 - where it is symmetric and what follows is the mirror image of what came before, reversed in time: the middle of an
@@ -18,7 +20,7 @@ Paper S, sections 3.5 and 3.6.1: which postures of its examples are states.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Sequence, Set
 from typing import NamedTuple
 
 import numpy as np
@@ -26,7 +28,7 @@ import numpy as np
 from leitmotion.discovery.visiting import Stop
 from leitmotion.discovery.ways import Atlas, Course, Gone, ways_of
 
-HELD_S = 0.8
+HELD_S = 0.7
 """Seconds for which a posture is held that is a state wherever it leads."""
 
 
@@ -95,6 +97,8 @@ def reduced(stops: Sequence[Sequence[Stop]], atlas: Atlas) -> Walked:
             key=lambda orbit: (lopsided and walked.upright(orbit), min(s.start for s in walked.at(orbit))),
         )
         stops = [[stop for stop in row if stop.orbit != least] for row in walked.stops]
+        if all(len(row) < 2 for row in stops):  # a movement leads from somewhere to somewhere
+            return walked
 
 
 def _without_chance_ends(stops: Sequence[Sequence[Stop]], held: float) -> list[list[Stop]]:
@@ -156,7 +160,7 @@ def _is_on_the_way(
     held = np.median([stop.stop - stop.start for stop in visits]) >= HELD_S * atlas.moments.rate
     if not through[orbit]:  # a recording only happens to begin or to end there
         return len(visits) == 1 and not held and any(len(walked.at(other)) > 1 for other in through)
-    if len(through[orbit]) > 1:
+    if len(through[orbit]) > 1 or _parts_or_joins(orbit, through[orbit], walked):
         return False
     ((into, out),) = through[orbit]
     if held or into == out or into == walked.image(out):
@@ -164,6 +168,19 @@ def _is_on_the_way(
     if out == walked.back(into):
         return not _leads_nowhere_else(orbit, out.path, walked)
     return not (walked.upright(orbit) and out == walked.image(walked.back(into)))
+
+
+def _parts_or_joins(orbit: int, through: Set[tuple[Gone, Gone]], walked: Walked) -> bool:
+    """Whether a recording ends at a state on a way by which no other came, or begins with one by which none went."""
+    for row, gone in zip(walked.stops, walked.gone, strict=True):
+        for stop, way, place in ((row[0], gone[0], 1), (row[-1], gone[-1], 0)) if gone else ():
+            if stop.orbit != orbit or not stop.told:
+                continue
+            seen = walked.image(way) if stop.side < 0 else way
+            known = {each[place] for each in through}
+            if seen not in known and not (stop.side == 0 and walked.image(seen) in known):
+                return True
+    return False
 
 
 def _leads_nowhere_else(orbit: int, path: int, walked: Walked) -> bool:

@@ -33,8 +33,10 @@ class _Node(NamedTuple):
 
     orbit: int
     side: int
+    alike: float
+    """The angle within which a moment is in the state."""
     away: np.ndarray
-    """(N,) how far each moment is, as a share of what is alike."""
+    """(N,) how far each moment is, as a share of that."""
     reach: float
     """How near a moment has to come that only passes."""
     members: np.ndarray
@@ -60,7 +62,7 @@ def visits(moments: Moments, orbits: Orbits) -> list[list[Stop]]:
         Visits of a stretch, which do not overlap. What never left a state between two is one visit.
     """
     nodes = _nodes(moments, orbits)
-    return [_row(nodes, int(start), int(stop)) for start, stop in pairwise(moments.starts)]
+    return [_row(nodes, moments, int(start), int(stop)) for start, stop in pairwise(moments.starts)]
 
 
 def _nodes(moments: Moments, orbits: Orbits) -> list[_Node]:
@@ -74,7 +76,7 @@ def _nodes(moments: Moments, orbits: Orbits) -> list[_Node]:
             image = straight(moments.mirror[members], floor)
             rows = np.where(own[:, None], moments.own[members], image) / alike
             near, reach = np.median(rows, axis=0), _reach(rows[:, members], own)
-            nodes.append(_Node(orbit, side, near, reach, members[own], orbits.goes_round[orbit]))
+            nodes.append(_Node(orbit, side, alike, near, reach, members[own], orbits.goes_round[orbit]))
     return nodes
 
 
@@ -87,15 +89,23 @@ def _reach(apart: np.ndarray, own: np.ndarray) -> float:
     return float(np.clip(SPREAD * np.median(between), CLOSEST, PASSED)) if between.size else PASSED
 
 
-def _row(nodes: list[_Node], start: int, stop: int) -> list[Stop]:
+def _row(nodes: list[_Node], moments: Moments, start: int, stop: int) -> list[Stop]:
     """The visits of a stretch."""
     away = np.stack([node.away[start:stop] for node in nodes])
     nearest = away.argmin(axis=0)
     inside = away.min(axis=0) < np.array([node.reach for node in nodes])[nearest]
     told = np.full(stop - start, -1)
+    own = moments.own[start:stop, start:stop]
+    closest = np.full(stop - start, np.inf)
     for k, node in enumerate(nodes):
         here = node.members[(node.members >= start) & (node.members < stop)] - start
-        nearest[here], inside[here], told[here] = k, True, k
+        told[here] = k
+        for (
+            member
+        ) in here.tolist():  # while the body keeps still it is at one state, be it near to others as well
+            still = _still(own[member] / node.alike, member)
+            still = still[own[member, still] < closest[still]]
+            closest[still], nearest[still], inside[still] = own[member, still], k, True
     stops: list[Stop] = []
     runs = _runs(away, nearest, inside)
     for k, (which, first, last) in enumerate(runs):
@@ -107,12 +117,22 @@ def _row(nodes: list[_Node], start: int, stop: int) -> list[Stop]:
     return stops
 
 
+def _still(away: np.ndarray, member: int) -> np.ndarray:
+    """Moments around one in which the body is held there."""
+    far = away > HELD
+    before, after = np.flatnonzero(far[:member]), np.flatnonzero(far[member:])
+    return np.arange(
+        int(before[-1]) + 1 if before.size else 0, member + int(after[0]) if after.size else len(away)
+    )
+
+
 def _runs(away: np.ndarray, nearest: np.ndarray, inside: np.ndarray) -> list[tuple[int, int, int]]:
     """Runs of moments at one state: which, the first and the last; those between which it was not left are one."""
     runs: list[tuple[int, int, int]] = []
     for t in np.flatnonzero(inside).tolist():
         which = int(nearest[t])
-        if runs and runs[-1][0] == which and away[which, runs[-1][2] : t + 1].max() < 1.0:
+        since = runs[-1][2] if runs and runs[-1][0] == which else None
+        if since is not None and (t == since + 1 or away[which, since : t + 1].max() < 1.0):
             runs[-1] = (which, runs[-1][1], t)
         else:
             runs.append((which, t, t))
