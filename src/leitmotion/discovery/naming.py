@@ -32,6 +32,7 @@ ALTERNATING = 0.45, 0.6  # one side moves, both alternate
 POSTURES = 0.93, 0.98  # share of postures that are alike to their mirror images: symmetric from the other on
 LASTING = np.radians(16.0), np.radians(22.0)  # of the mean posture: symmetric up to one, not from the other
 LEAST_CONFIDENCE = 0.1
+CLEAR = 0.5  # confidence of a form that tells of what lies within it
 IN_GENERAL = 0.9  # of the confidence of what is told more fully, that what it implies has at most
 LESS_SPECIAL = 0.2  # of the confidence of an anti-palindrome, that being anti-phase besides says less
 IMPLIED = 0.6  # of a form, that another tells which implies it
@@ -125,11 +126,11 @@ def name_loop(loop: Pair, waypoints: Waypoints) -> Named:
 
 
 def name_symmetric(forms: Sequence[Named], waypoints: Waypoints) -> list[Named]:
-    """Name the movements through symmetric postures; one that symmetric forms tell is less sure than they."""
+    """Name the movements through symmetric postures; one that clear symmetric forms tell is less sure than they."""
     alike = np.diagonal(waypoints.mirror) <= waypoints.alike
     special = np.zeros(len(alike))
     for named in forms:
-        if named.motif.startswith("symmetric"):
+        if named.motif.startswith("symmetric") and named.confidence >= CLEAR:
             told = special[named.marks[0] : named.marks[-1] + 1]
             np.maximum(told, named.confidence, out=told)
     edges = np.flatnonzero(np.diff(np.concatenate(([0], alike.astype(int), [0]))))

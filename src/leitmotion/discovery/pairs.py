@@ -24,7 +24,7 @@ AS_GOOD = 0.8  # of the gain of the best, with which a nearer pair is told inste
 TOLD = 0.5  # of a later stretch, that was told already
 TWICE = 3  # marks of two cycles
 NEARER = 2.0  # ways: so much longer a loop may be that ends at no distance, not at that of what is alike
-SAME_STATE = 0.6  # of what is alike, within which a posture has come back
+SAME_STATE = 0.75  # of what is alike, within which a posture has come back
 LEFT = 2.0  # of what is alike, beyond which it had been left
 
 

@@ -18,6 +18,7 @@ from leitmotion.discovery.excursions import excursions
 from leitmotion.discovery.forms import Form, covered_by, runs_of_cycles, runs_of_turns
 from leitmotion.discovery.labour import ahead
 from leitmotion.discovery.naming import (
+    CLEAR,
     LEAST_CONFIDENCE,
     Named,
     name_forms,
@@ -36,7 +37,6 @@ from leitmotion.similarity import DoubleMetric, still_spans
 STILL_SHARE = 0.6  # of the angle of half likeness, that a body which keeps still stays within
 STILL = np.radians(5.0), np.radians(6.5)  # bounds of that, of a mean link
 DRIFT = np.radians(8.0)  # a second, of a body that keeps still: one that passes slowly is faster
-CLEAR = 0.5  # confidence of a form that tells of what lies within it
 SAME = 0.6  # of a form, or of both stretches of a pair, in another
 
 
