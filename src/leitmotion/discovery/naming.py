@@ -164,7 +164,8 @@ def _named(form: Form, waypoints: Waypoints) -> Named:
         f"{alike:.1f}° would be alike; {form.covered:.0%} of it is told; {sides}."
     )
     cyclic = ways >= 2 * WAYS.get((form.mirror, form.reversed), 2)
-    near = 1 - form.cost ** (MANY if cyclic else FEW)
+    often = cyclic and (form.reversed or not form.mirror)  # a limp is not quite unlike its own mirror image
+    near = 1 - form.cost ** (MANY if often else FEW)
     return Named(motif, form.marks, sure * near * form.covered, reason, cyclic, None, form.moments)
 
 
