@@ -99,8 +99,8 @@ def _check(at: Points) -> None:
     if missing:
         raise DataError(
             f"The kinematic chain begins with the trunk, but no {missing[0]} is known among {in_short(at)}.",
-            remedy="Name it in a map file, --map FILE (body_map= in Python). Of legs or arms alone only what recurs can be "
-            "told: leitmotion patterns.",
+            remedy="Name it in a map file, --map FILE (body_map= in Python). Of legs or arms alone only what recurs "
+            "can be told: leitmotion patterns.",
         )
     if at["pelvis"].shape[-1] != 3:
         raise DataError(
