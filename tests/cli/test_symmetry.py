@@ -60,6 +60,14 @@ def test_it_tells_which_side_moves_and_the_page_says_the_same(run: Run, tmp_path
     assert [row["side"] for row in rows_of("arm.csv")] == [span.side for span in found.spans]
 
 
+@pytest.mark.data
+def test_a_held_pose_and_a_raised_arm_are_told_as_they_are(run: Run, data: Path) -> None:
+    held = run("symmetry", f"{data}/bandai_namco/dataset-1_dance-short_normal_001.bvh[0s:8s]").stdout
+    assert held.startswith("The body keeps still.\n")
+    raised = run("symmetry", data / "uiprmd/correct/Kinect/Positions/m07_s01_e01_positions.txt").stdout
+    assert raised.startswith("The right side moves more.\nOne stretch moves the right side more: arm.\n")
+
+
 def test_of_many_stretches_the_clearest_are_told_in_order(run: Run, made: Path, monkeypatch) -> None:
     found = lm.find_symmetry(lm.read(made / "jacks.bvh"))
     monkeypatch.setattr(symmetry, "TOLD", 1)

@@ -210,8 +210,9 @@ def test_errors_help(rng):
     with pytest.raises(ParameterError, match="The chain has no 'tail'"):
         kinematic_chain(motion, links=["tail"])
     legs = Trajectories(("LeftHip", "RightHip"), np.eye(3)[None, :2], rate=30, kind="joint")
-    with pytest.raises(DataError, match="begins with the trunk, but no"):
+    with pytest.raises(DataError, match="begins with the trunk, but no") as refused:
         kinematic_chain(legs)
+    assert "leitmotion patterns" in refused.value.remedy
     chain = kinematic_chain(motion)
     with pytest.raises(ParameterError, match="pose must be one of mean, standing"):
         side_bias(chain, pose="sitting")
