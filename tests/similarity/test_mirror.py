@@ -260,5 +260,5 @@ def test_a_walk_alternates_and_jumping_jacks_do_not(data):
     assert image[half] < 0.5 * image[cycle]
     assert image[half] < 0.5 * own[half]
     jacks = double_metric(kinematic_chain(lm.read(data / "cmu_bvh" / "jumping_jacks.bvh")), metric="geodesic")
-    assert jacks.lopsidedness.mean() < 0.35 * np.median(jacks.own)
+    assert jacks.lopsidedness.mean() < 0.4 * np.median(jacks.own)
     assert walk.lopsidedness.mean() > 0.7 * np.median(walk.own)
