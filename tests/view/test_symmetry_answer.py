@@ -86,13 +86,14 @@ def test_what_is_more_likely_wrong_than_right_is_not_said_but_as_the_nearest_mis
     spans = [span("anti_phase", sure=0.4), span("anti_palindrome", sure=0.2)]
     assert title(spans) == "No symmetry is clear here"
     assert "none is more likely right than wrong" in lead(spans)
-    assert lead(spans).endswith("Nearest to it, 0:00.0 to 0:03.0: alternates sides, confidence 0.40.")
+    assert lead(spans).endswith("The nearest miss, 0:00.0 to 0:03.0: alternates sides, confidence 0.40.")
     missed = [span("asymmetric_cycle", 0, 300), span("anti_phase", 30, 300, sure=0.16)]
     assert title(missed) == "Nothing comes back mirrored clearly enough"
     assert lead(missed) == (
-        "One stretch comes back, but not mirrored. Nearest to it, 0:01.0 to 0:10.0: alternates sides, confidence 0.16."
+        "One stretch comes back, but not mirrored. "
+        "The nearest miss, 0:01.0 to 0:10.0: alternates sides, confidence 0.16."
     )
-    assert "Nearest" not in lead([*missed, span("symmetric_path", 500, 600)])
+    assert "nearest" not in lead([*missed, span("symmetric_path", 500, 600)])
 
 
 def test_a_held_pose_keeps_still() -> None:

@@ -240,7 +240,7 @@ def _nearest_miss(found: Symmetry) -> list[str]:
     best = max(misses, key=lambda span: span.confidence)
     name = motif_name(best)
     when = f"{clock(best.start / found.rate)} to {clock(best.stop / found.rate)}"
-    return [f"Nearest to it, {when}: {name[0].lower()}{name[1:]}, confidence {best.confidence:.2f}."]
+    return [f"The nearest miss, {when}: {name[0].lower()}{name[1:]}, confidence {best.confidence:.2f}."]
 
 
 def _still(found: Symmetry) -> float:
