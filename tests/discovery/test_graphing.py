@@ -282,7 +282,9 @@ def test_a_hand_raised_is_the_mirror_image_of_the_other_in_another_recording(dat
     left, right = gone
     assert (left.mirror, right.mirror) == (right.name, left.name)
     assert left.reversible
-    assert [visit.recording for visit in (*left.visits, *right.visits)] == [1, 2]
+    there_and_back = [(visit.recording, visit.reversed) for visit in (*left.visits, *right.visits)]
+    assert [recording for recording, _ in there_and_back] == [1, 1, 2, 2]  # the hand is held up for a while
+    assert {back for _, back in there_and_back} == {False, True}
 
 
 @pytest.mark.data

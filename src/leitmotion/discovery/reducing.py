@@ -183,19 +183,6 @@ def _parts_or_joins(orbit: int, through: Set[tuple[Gone, Gone]], walked: Walked)
     return False
 
 
-def _parts_or_joins(orbit: int, through: Set[tuple[Gone, Gone]], walked: Walked) -> bool:
-    """Whether a recording ends at a state on a way by which no other came, or begins with one by which none went."""
-    for row, gone in zip(walked.stops, walked.gone, strict=True):
-        for stop, way, place in ((row[0], gone[0], 1), (row[-1], gone[-1], 0)) if gone else ():
-            if stop.orbit != orbit or not stop.told:
-                continue
-            seen = walked.image(way) if stop.side < 0 else way
-            known = {each[place] for each in through}
-            if seen not in known and not (stop.side == 0 and walked.image(seen) in known):
-                return True
-    return False
-
-
 def _leads_nowhere_else(orbit: int, path: int, walked: Walked) -> bool:
     """Whether the state from which the body came has no other path but that one and its mirror image."""
     others = walked.ends(path) - {orbit}
