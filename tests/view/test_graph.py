@@ -18,6 +18,7 @@ from leitmotion.view.graph_moments import posture_of, time_of
 from leitmotion.view.graph_names import pieces_of
 from leitmotion.view.graph_places import CARD
 from leitmotion.view.graph_plan import plan_picture
+from leitmotion.view.graph_visited import most_visited, shown_of
 from leitmotion.view.stick_figures import figure_shapes
 from leitmotion.view.subspaces import find_subspaces
 from oracles import layout as oracle
@@ -274,3 +275,31 @@ def test_a_posture_that_was_not_seen_is_left_out(racemized):
     figure = plot_graph(graph, body.replace(positions=positions))
     whole = plot_graph(graph, body)
     assert len(figure.axes[0].collections) == len(whole.axes[0].collections) - 1
+
+
+def test_of_a_large_graph_what_was_visited_most_is_drawn():
+    graph = GRAPHS["twelve"]
+    counts = {name: k + 1 for k, name in enumerate("XYABCDE")}
+
+    def often(items):
+        return tuple(
+            item.replace(visits=item.visits[:1] * counts[item.name[0]] if item.visits else ())
+            if item.name[0] in counts and len(item.name) <= 2
+            else item
+            for item in items
+        )
+
+    graph = graph.replace(states=often(graph.states))
+    shown = most_visited(graph, states=4, paths=3)
+    performed = [state for state in shown.states if state.visits]
+    assert len(performed) <= 4
+    names = {state.name for state in shown.states}
+    assert {"D", "E"} <= names
+    for state in shown.states:
+        assert state.mirror in {*names, ""}
+    for path in shown.paths:
+        assert {path.source, path.target} <= names
+    assert sum(bool(path.visits) for path in shown.paths) <= 3
+    assert shown_of(shown, graph).startswith(f"The most visited: {len(performed)} of ")
+    assert most_visited(graph) == graph
+    assert shown_of(graph, graph) == ""

@@ -1,6 +1,7 @@
 """The Graph view of the page: drawn as it was laid out, every state and path a button, its times over one another."""
 
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -12,6 +13,7 @@ from leitmotion.features import posture
 from leitmotion.motion import ParameterError
 from leitmotion.similarity import self_distance
 from leitmotion.view.graph_payload import graph_payload
+from leitmotion.view.graph_visited import most_visited
 from leitmotion.view.graph_words import NO_STATES, NOT_COMPUTED
 from oracles.performing import GRAPHS, perform
 
@@ -208,3 +210,62 @@ def test_nothing_lies_beyond_the_screen(open_page: Open, kicks_page: Path, width
         "(all) => all.map((b) => b.getAttribute('aria-label') || b.textContent)"
     )
     assert all(labels)
+
+
+@pytest.fixture
+def large(kicks: tuple[Any, MotionGraph], monkeypatch: pytest.MonkeyPatch) -> tuple[Any, MotionGraph]:
+    """The kicks, as if one state and one path were as many as a picture holds."""
+    monkeypatch.setattr(
+        "leitmotion.view.graph_payload.most_visited", partial(most_visited, states=1, paths=1)
+    )
+    return kicks
+
+
+def test_of_a_large_graph_the_payload_lays_the_most_visited_out_by_itself(large):
+    body, graph = large
+    told = graph_payload(body, graph)["most"]
+    assert told["said"] == "The most visited: 1 of 2 postures, 1 of 2 ways."
+    assert told["states"].keys() == {"A", "A*"}
+    assert told["paths"].keys() == {"aa", "(aa)*"}
+
+
+def test_of_a_small_graph_all_is_laid_out_once(kicks):
+    assert graph_payload(*kicks)["most"] is None
+
+
+@pytest.mark.browser
+def test_a_large_graph_shows_the_most_visited_and_all_on_request(
+    open_page: Open, large: Any, known: Any, tmp_path: Path
+) -> None:
+    body, graph = large
+    told = known._replace(
+        body=body,
+        patterns=Patterns((), (), body.rate, {"min_duration_s": 0.5}),
+        matrix=self_distance(posture(body)),
+        labels=None,
+    )
+    path = tmp_path / "large.html"
+    path.write_text(told.page(graph=graph, opens_with="graph"), encoding="utf-8")
+    page = open_page(path)
+    line = page.locator(".graph-most")
+    assert line.inner_text() == "The most visited: 1 of 2 postures, 1 of 2 ways. Show all"
+    assert page.locator(".node:visible").count() == 1
+    assert page.locator(".edge-name:visible").count() == 1
+    line.get_by_role("button").click()
+    assert state(page)["whole"]
+    assert page.locator(".node:visible").count() == 2
+    line.get_by_role("button").click()
+    assert not state(page)["whole"]
+    assert page.locator(".node:visible").count() == 1
+    page.locator(".item:visible").nth(1).click()  # X, from the list
+    assert (state(page)["item"], state(page)["whole"]) == ("X", True)
+    assert page.locator(".node:visible").count() == 2
+    for node in page.locator(".node:visible").all():
+        assert node.evaluate(
+            "(e) => { const r = e.getBoundingClientRect();"
+            " return e.contains(document.elementFromPoint(r.x + r.width / 2, r.y + r.height / 2)); }"
+        )
+    page.keyboard.press("Escape")
+    page.get_by_role("button", name="Repeats").click()
+    assert state(page)["view"] == "repeats"
+    assert not line.is_visible()

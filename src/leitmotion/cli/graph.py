@@ -195,10 +195,11 @@ def _write(
         write_whole(path, graphml(found))
         return told
     from leitmotion.view import plot_graph
+    from leitmotion.view.graph_visited import most_visited, shown_of
 
     shown = [one for _, one in gathered.opened]
     figure = plot_graph(found, [one.recording for one in shown], body_maps=[one.roles for one in shown])
-    return write_figure(path, figure)
+    return " ".join(filter(None, [write_figure(path, figure), shown_of(most_visited(found), found)]))
 
 
 def _rows(document: Document) -> Iterator[Mapping[str, object]]:

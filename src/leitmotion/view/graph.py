@@ -21,6 +21,7 @@ from leitmotion.view.graph_layout import lay_out
 from leitmotion.view.graph_moments import posture_of, time_of
 from leitmotion.view.graph_names import arrow_of, in_math, in_rows
 from leitmotion.view.graph_plan import EDGE, plan_picture
+from leitmotion.view.graph_visited import most_visited, shown_of
 from leitmotion.view.palette import theme_named
 from leitmotion.view.plots import BODY, new_figure
 from leitmotion.view.subspaces import plot_subspaces
@@ -65,7 +66,8 @@ def plot_graph(
     Returns
     -------
     matplotlib.figure.Figure
-        Save it as SVG or PNG. In an SVG each state is a group with the id "state-A", each path one with "path-ab".
+        Save it as SVG or PNG. In an SVG each state is a group with the id "state-A", each path one with "path-ab". Of a
+        graph of more than 20 states or 24 paths those are drawn that were visited most, and the figure says so.
 
     Raises
     ------
@@ -90,6 +92,7 @@ def plot_graph(
     given = [recordings] if isinstance(recordings, Motion | Trajectories | Body) else list(recordings)
     maps = [None] * len(given) if body_maps is None else list(body_maps)
     _check(graph, given)
+    whole, graph = graph, most_visited(graph)
     layout = lay_out(graph)
     bodies = [
         each if isinstance(each, Body) else embody(each, roles)
@@ -100,7 +103,7 @@ def plot_graph(
     shown = {path.name: time_of(path, graph) for path in graph.paths}
     standing = gather(bodies, [moment for moment in pictured.values() if moment])
     moving = gather(bodies, [moment for time in shown.values() if time for moment in time.moments(POSTURES)])
-    heading = _heading(graph, width)
+    heading = [*_heading(graph, width), *filter(None, [shown_of(graph, whole)])]
     cells = len(graph.paths) if postures else 0
     plan = plan_picture(layout.box, width, head=LINE * len(heading), subspaces=subspaces, cells=cells)
     figure = new_figure(width, plan.height, colours)

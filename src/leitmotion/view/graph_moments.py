@@ -36,7 +36,7 @@ class Time(NamedTuple):
 
 
 def posture_of(state: State, graph: MotionGraph, chains: Sequence[FeatureSequence]) -> Moment | None:
-    """Choose the posture that pictures a state: of the middles of its visits that which is nearest to their mean.
+    """Choose the posture that pictures a state: of the middles of its visits that from which the others differ least.
 
     Parameters
     ----------
@@ -56,10 +56,15 @@ def posture_of(state: State, graph: MotionGraph, chains: Sequence[FeatureSequenc
     if not visits:
         return None
     middles = [(visit.recording, (visit.start + visit.stop - 1) // 2) for visit in visits]
-    told = np.array([chains[recording].values[frame] for recording, frame in middles])
-    seen = np.isfinite(told).all(axis=1)
-    mean = told[seen].mean(axis=0) if seen.any() else 0.0
-    off = np.where(seen, np.linalg.norm(told - mean, axis=1), np.inf)
+    turned = np.array([chains[recording].values[frame] for recording, frame in middles]).reshape(
+        len(middles), -1, 4
+    )
+    alike = np.abs(
+        np.einsum("ikx,jkx->ijk", turned, turned)
+    )  # a quaternion and its opposite are one rotation
+    angles = np.arccos(np.clip(alike, 0.0, 1.0)).mean(axis=2)
+    seen = np.isfinite(np.diagonal(angles))
+    off = np.where(seen, np.where(seen, angles, 0.0).sum(axis=1), np.inf)
     recording, frame = middles[int(off.argmin())]
     return Moment(recording, frame, mirrored)
 

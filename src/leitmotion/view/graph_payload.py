@@ -16,10 +16,11 @@ from leitmotion.body import Body, mirror_role
 from leitmotion.discovery import MotionGraph, Path, State, notation
 from leitmotion.features import kinematic_chain
 from leitmotion.motion import ParameterError
-from leitmotion.view.graph_layout import lay_out
+from leitmotion.view.graph_layout import Layout, lay_out
 from leitmotion.view.graph_moments import posture_of
 from leitmotion.view.graph_names import arrow_of, pieces_of, times
 from leitmotion.view.graph_places import CARD
+from leitmotion.view.graph_visited import most_visited, shown_of
 from leitmotion.view.graph_words import NO_STATES, graph_title, said, visit_name
 
 
@@ -55,12 +56,15 @@ def graph_payload(body: Body, graph: MotionGraph) -> dict[str, Any]:
     if not any(state.visits for state in graph.states):
         return {"none": NO_STATES}
     layout = lay_out(graph)
+    first = most_visited(graph)
+    sentence = shown_of(first, graph, ("postures", "ways"))
     chains = [kinematic_chain(body)]
     partners = [mirror_role(role) for role in body.roles]
     return {
         "title": graph_title(graph),
         "lead": [notation(_performed(graph))],
         "box": _rounded(layout.box),
+        "most": _places(lay_out(first)) | {"said": sentence} if sentence else None,
         "card": list(CARD),
         "partner": [body.roles.index(role) if role in body.roles else -1 for role in partners],
         "states": [
@@ -90,6 +94,18 @@ def _performed(graph: MotionGraph) -> MotionGraph:
         states=tuple(state for state in graph.states if state.visits),
         paths=tuple(path for path in graph.paths if not path.reflected),
     )
+
+
+def _places(layout: Layout) -> dict[str, Any]:
+    """Give the places of the states and paths that are shown at first."""
+    return {
+        "box": _rounded(layout.box),
+        "states": {name: {"at": _rounded(place)} for name, place in layout.places.items()},
+        "paths": {
+            name: {"curve": [_rounded(point) for point in curve], "at": _rounded(layout.labels[name])}
+            for name, curve in layout.curves.items()
+        },
+    }
 
 
 def _item(item: State | Path, graph: MotionGraph) -> dict[str, Any]:

@@ -27,13 +27,13 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
 SMOOTH_S = 0.2  # over which the ways are averaged
-MOST = 12  # times of one path that are drawn
+MOST, IN_ALL, LEAST = 12, 72, 3  # times of one path that are drawn, about so many of all paths together
 LIGHTEST = 0.72  # how far the end of a path is mixed into the surface
 WORDS = ("symmetric part", "antisymmetric part")
 AIR = 1.14  # around the ways
 DOTTED = (0, (0.6, 2.2))
 IN_A_ROW = 4  # names of states that lie together
-PIECES = 24  # of a line, each lighter than the one before
+PIECES, POINTS = 24, 5  # of a line, each lighter than the one before; of a piece, as many as are seen
 
 
 class Subspaces(NamedTuple):
@@ -149,12 +149,13 @@ def _origin(graph: MotionGraph, recording: int, line: np.ndarray) -> np.ndarray:
 def _lines(graph: MotionGraph, plane: Sequence[np.ndarray], hand: float) -> list[tuple[np.ndarray, bool]]:
     """The ways of all paths in a plane, and whether only reflection made them."""
     found = []
+    most = min(MOST, max(LEAST, IN_ALL // max(len(graph.paths), 1)))
     for path in graph.paths:
         if path.reflected:
             time = time_of(path, graph)
             visits = [] if time is None else [time.visit]
         else:
-            visits = list(path.visits[:MOST])
+            visits = list(path.visits[:most])
         for visit in visits:
             line = plane[visit.recording][visit.start : visit.stop]
             found.append((line * (hand if path.reflected else 1.0), path.reflected))
@@ -182,7 +183,9 @@ def _draw_line(plot: Axes, line: np.ndarray, reflected: bool, colours: Theme) ->
         plot.plot(*line.T, color=grey, lw=1.0, ls=DOTTED, dash_capstyle="round", zorder=1)
         return
     cuts = np.linspace(0, len(line) - 1, min(PIECES, max(len(line) - 1, 1)) + 1).round().astype(int)
-    pieces = [line[a : b + 1] for a, b in itertools.pairwise(cuts)]
+    pieces = [
+        line[np.unique(np.linspace(a, b, POINTS).round().astype(int))] for a, b in itertools.pairwise(cuts)
+    ]
     tones = [mixed(colours.ink, 1 - LIGHTEST * k / PIECES, colours.surface) for k in range(len(pieces))]
     plot.add_collection(LineCollection(pieces, colors=tones, linewidths=1.1, capstyle="round", zorder=2))
 

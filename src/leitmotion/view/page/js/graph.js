@@ -7,6 +7,11 @@ const itemNamed = (name) => graphItems.find((item) => item.name === name) ?? nul
 const isReflected = (item) => !item.visits.length;
 const hasImages = graphItems.some((item) => item.mirror);
 const isItemShown = (item) => state.images || !isReflected(item);
+// Of a large graph the most visited part is drawn at first, laid out by itself; the list holds all.
+const mostVisited = graph?.most ?? null;
+const isAllDrawn = () => !mostVisited || state.whole;
+const drawnPlace = (item) => (isAllDrawn() ? item : mostVisited[item.kind === "state" ? "states" : "paths"][item.name]);
+const isItemDrawn = (item) => isItemShown(item) && Boolean(drawnPlace(item));
 const itemsShown = () => graphItems.filter(isItemShown);
 const MOST_OVERLAID = 8;
 

@@ -1,10 +1,11 @@
 // The graph itself, where the matrix stands in the other views: states as cards, paths as curves, as the library laid
 // them out. A click on either plays its times.
 
-const graphField = { box: null, nodes: [], edges: [], scale: 1 };
+const graphField = { box: null, sheet: null, most: null, nodes: [], edges: [], scale: 1 };
 const NAME_ROOM = 18; // pixels of a card for its name
 const COMPACT = 56;
 const HEAD_LENGTH = 7;
+const LEAST_SCALE = 46; // pixels that a card is wide at least: what is larger than the field is scrolled
 
 function buildGraphField() {
   if (!graph) return;
@@ -36,18 +37,41 @@ function buildGraphField() {
     button.addEventListener("click", () => chooseItem(item.name));
     graphField.nodes.push({ item, figure, button });
   }
-  box.append(lines, ...graphField.edges.map(({ label }) => label), ...graphField.nodes.map(({ button }) => button));
+  graphField.sheet = make("div", "graph-sheet", [lines, ...graphField.edges.map(({ label }) => label), ...graphField.nodes.map(({ button }) => button)]);
+  box.append(graphField.sheet);
   graphField.box = box;
   $("matrix-card").append(box);
+  if (mostVisited) buildMost();
+}
+
+// The line above a large graph: which part is drawn, and a button for the whole.
+function buildMost() {
+  const words = make("span", "");
+  const button = make("button", "", [], { type: "button" });
+  button.addEventListener("click", () => {
+    state.whole = !state.whole;
+    if (state.item !== null && !isItemDrawn(itemNamed(state.item))) clearItem();
+    redraw("layout");
+  });
+  graphField.most = { line: make("p", "graph-most", [words, " ", button]), words, button };
+  graphField.box.classList.add("of-many");
+  $("matrix-card").append(graphField.most.line);
 }
 
 const isGraphShown = () => graph !== null && state.view === "graph";
 
 function layGraph() {
-  const { box, lines } = graphField;
-  const [left, top, right, bottom] = graph.box;
-  const [width, height] = [box.clientWidth, box.clientHeight];
-  const scale = Math.min(width / (right - left), height / (bottom - top), 110);
+  const { box, sheet, lines, most } = graphField;
+  if (most) {
+    most.words.textContent = state.whole ? "All postures and ways." : mostVisited.said;
+    most.button.textContent = state.whole ? "Show the most visited" : "Show all";
+  }
+  const [left, top, right, bottom] = isAllDrawn() ? graph.box : mostVisited.box;
+  const least = mostVisited ? LEAST_SCALE : 0;
+  const scale = Math.max(Math.min(box.clientWidth / (right - left), box.clientHeight / (bottom - top), 110), least);
+  const [width, height] = [Math.max(box.clientWidth, (right - left) * scale), Math.max(box.clientHeight, (bottom - top) * scale)];
+  Object.assign(sheet.style, { width: width + "px", height: height + "px" });
+  box.style.overflow = width > box.clientWidth || height > box.clientHeight ? "auto" : "";
   const x = (at) => (width - (right - left) * scale) / 2 + (at - left) * scale;
   const y = (at) => (height - (bottom - top) * scale) / 2 + (at - top) * scale;
   graphField.scale = scale;
@@ -60,19 +84,23 @@ function layGraph() {
   box.style.setProperty("--name", name + "px");
   const [wide, high] = graph.card.map((length) => length * scale);
   for (const { item, figure, button } of graphField.nodes) {
-    Object.assign(button.style, { left: x(item.at[0]) - wide / 2 + "px", top: y(item.at[1]) - high / 2 + "px", width: wide + "px", height: high + "px" });
+    const at = drawnPlace(item)?.at;
+    if (!at) continue;
+    Object.assign(button.style, { left: x(at[0]) - wide / 2 + "px", top: y(at[1]) - high / 2 + "px", width: wide + "px", height: high + "px" });
     const room = Math.max(high - (compact ? 0 : NAME_ROOM) - 4, 10);
     const pen = sized(figure, wide - 6, room);
     if (item.key !== null) drawSmall(pen, item.key, { x: (wide - 6) / 2, base: room - 2, height: room - 4, width: wide - 10, row: true, mirrored: item.mirrored });
   }
   for (const { item, reach, line, heads, label } of graphField.edges) {
-    const points = item.curve.map(([a, b]) => [x(a), y(b)]);
+    const place = drawnPlace(item);
+    if (!place) continue;
+    const points = place.curve.map(([a, b]) => [x(a), y(b)]);
     const text = (list) => list.map((point) => point.map((v) => v.toFixed(1)).join(" ")).join(" ");
     const d = `M${text([points[0]])} C${text(points.slice(1))}`;
     reach.setAttribute("d", d);
     line.setAttribute("d", d);
     heads.setAttribute("d", arrowHead(points[3], points[2]) + (item.reversible ? arrowHead(points[0], points[1]) : ""));
-    Object.assign(label.style, { left: x(item.at[0]) + "px", top: y(item.at[1]) + "px" });
+    Object.assign(label.style, { left: x(place.at[0]) + "px", top: y(place.at[1]) + "px" });
   }
 }
 
@@ -86,6 +114,7 @@ function arrowHead([x, y], [fromX, fromY]) {
 on("layout", () => {
   if (!graphField.box) return;
   graphField.box.hidden = !isGraphShown();
+  if (graphField.most) graphField.most.line.hidden = !isGraphShown();
   if (!isGraphShown()) return;
   $("matrix-title").textContent = "Postures, and the ways between them";
   layGraph();
@@ -103,20 +132,24 @@ function markGraph() {
 on("change", () => {
   if (!isGraphShown()) return;
   const chosen = state.item !== null;
+  if (chosen && !isItemDrawn(itemNamed(state.item))) {
+    state.whole = true;
+    layGraph();
+  }
   graphField.box.classList.toggle("choosing", chosen);
   for (const { item, group, label } of graphField.edges) {
     const classes = { reflected: isReflected(item), chosen: item.name === state.item };
     for (const element of [group, label]) {
       for (const [name, on] of Object.entries(classes)) element.classList.toggle(name, on);
-      element.classList.toggle("gone", !isItemShown(item));
+      element.classList.toggle("gone", !isItemDrawn(item));
     }
     label.setAttribute("aria-pressed", item.name === state.item);
-    label.hidden = !isItemShown(item);
+    label.hidden = !isItemDrawn(item);
   }
   for (const { item, button } of graphField.nodes) {
     button.classList.toggle("reflected", isReflected(item));
     button.setAttribute("aria-pressed", item.name === state.item);
-    button.hidden = !isItemShown(item);
+    button.hidden = !isItemDrawn(item);
   }
 });
 

@@ -19,6 +19,7 @@ const state = {
   pointed: null, // the one that is pointed at
   item: null, // name of the chosen state or path of the graph
   visit: 0, // which of its times plays
+  whole: false, // whether all of a large graph is drawn, not only what was visited most
   images: false, // whether the graph is shown with the mirror images that nobody performed
   form: "square", // how the matrix of symmetry is drawn
   curve: null, // which curve is shown; null is the view's own
