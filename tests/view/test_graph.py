@@ -303,3 +303,15 @@ def test_of_a_large_graph_what_was_visited_most_is_drawn():
     assert shown_of(shown, graph).startswith(f"The most visited: {len(performed)} of ")
     assert most_visited(graph) == graph
     assert shown_of(graph, graph) == ""
+
+
+def test_a_state_is_pictured_by_a_typical_visit_whatever_the_sign_of_its_quaternions():
+    motion, graph = perform(GRAPHS["racemized"], "aa aa ax -ax aa")
+    chain = kinematic_chain(motion)
+    state = graph.states[0]
+    odd = graph.states[1].visits[0]  # as if it had been taken for the same state once
+    mixed = state.replace(visits=(odd, *state.visits))
+    told = posture_of(mixed, graph, [chain])
+    assert not odd.start <= told.frame < odd.stop
+    signs = np.where(np.arange(len(chain)) % 2, 1.0, -1.0)[:, None]
+    assert posture_of(mixed, graph, [chain.replace(values=chain.values * signs)]) == told

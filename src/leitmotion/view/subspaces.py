@@ -33,7 +33,7 @@ WORDS = ("symmetric part", "antisymmetric part")
 AIR = 1.14  # around the ways
 DOTTED = (0, (0.6, 2.2))
 IN_A_ROW = 4  # names of states that lie together
-PIECES, POINTS = 24, 5  # of a line, each lighter than the one before; of a piece, as many as are seen
+PIECES, POINTS = 24, 9  # of a line, each lighter than the one before; of a piece, as many as are seen
 
 
 class Subspaces(NamedTuple):
